@@ -42,13 +42,13 @@ struct Skeleton {
     std::size_t prefixes = 0;   ///< number of prefixes taken apart to reach parallel operators
 };
 
-/// Takes a term apart, down to the terms in `leaves` and those without operators that stay in place; compressed terms in `left_out`
-/// are replaced by their operands. No value if it contains no parallel operator to take apart. May evaluate definitions
-/// and throw their exceptions. `poll` may throw to stop.
+/// Takes a term apart, down to the terms in `leaves` and those without operators that stay in place; compressed terms
+/// in `left_out` are replaced by their operands. No value if it contains no parallel operator to take apart. May
+/// evaluate definitions and throw their exceptions. `poll` may throw to stop.
 ///
 /// Events before a parallel operator are followed, so that a process can start its components or switch between modes.
-/// If this does not return to its beginning, as in COUNT(n) = up -> COUNT(n + 1) [] go -> (A ||| B), it is not done for
-/// the whole term: subterms that begin with an event are then one component.
+/// If this does not come back to its beginning, as in COUNT(n) = up -> COUNT(n + 1) [] go -> (A ||| B), events are not
+/// followed anywhere in the term: a subterm that begins with an event is then one component.
 [[nodiscard]] std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term,
                                                   const std::set<TermId>& leaves, const std::set<TermId>& left_out,
                                                   const std::function<void()>& poll);

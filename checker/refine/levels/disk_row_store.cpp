@@ -15,7 +15,7 @@ using lts::Word;
 
 namespace {
 
-// Of the memory, in sixteenths: the filter, the open level, what is put aside.
+// Shares of the memory in sixteenths: the filter, the open level, the rows put aside.
 constexpr std::uint64_t filter_part = 13, open_part = 2, aside_part = 1;
 constexpr Level no_level = std::numeric_limits<Level>::max();
 
@@ -48,7 +48,7 @@ DiskRowStore::~DiskRowStore() {
     if (bounds_.report) bounds_.report(figures_);
 }
 
-/// Of the open level at least so many: a row that was met again after it had been written is in several runs.
+/// For the open level a lower bound: a row that was found again after it had been written is in several runs.
 std::uint64_t DiskRowStore::rows(Level level) const {
     return level < levels() ? kept_.files().rows(level) : std::max<std::uint64_t>(open_->size(), runs_.longest());
 }
@@ -57,7 +57,7 @@ RowStore::Found DiskRowStore::enter(StateView row, std::uint64_t hash) {
     ++met_;
     if (open_->find(row, hash) != lts::no_state) return Found::again;
     if (levels() > 0 && filter_.may_have(hash)) {
-        aside_.add(row, hash, levels());  // the level in which it is put aside first counts
+        aside_.add(row, hash, levels());  // the first level in which it is put aside counts
         return Found::unsure;
     }
     ++new_;
@@ -74,7 +74,7 @@ std::uint64_t DiskRowStore::rows_sorted_at_once() const {
     return std::max<std::uint64_t>(most_open_ / 4, 64);
 }
 
-/// Piece by piece, because what is sorted exists three times.
+/// Piece by piece, because the rows exist three times while they are sorted.
 void DiskRowStore::write_open() {
     note_peak();
     const auto piece = static_cast<StateIndex>(rows_sorted_at_once());
@@ -85,7 +85,7 @@ void DiskRowStore::write_open() {
     renew_open();
 }
 
-/// One that was full will be so again: its table need not grow.
+/// If it was full, it will be full again, so its table is allocated at once.
 void DiskRowStore::renew_open() {
     const bool full = open_->size() >= most_open_;
     open_ = new_store();
@@ -118,7 +118,7 @@ void DiskRowStore::close_level() {
     if (filter_.capacity() > 0 && filter_.size() == filter_.capacity()) fill_filter();
 }
 
-/// What finds no space comes in when the filter is filled anew.
+/// Rows that do not fit are added when the filter is refilled.
 void DiskRowStore::add_to_filter(std::span<const Word> rows) {
     each_hashed(
         rows, width(), [this](std::uint64_t hash) { filter_.prefetch(hash); },
@@ -127,8 +127,8 @@ void DiskRowStore::add_to_filter(std::span<const Word> rows) {
         });
 }
 
-/// It has the rows put aside as well, which a filter of another size might not have: what was unsure once stays so
-/// until it is settled. Most of them it has, for they are old.
+/// The filter contains the rows put aside as well; otherwise a filter of another size might not contain them, and a row
+/// once unsure must stay unsure until it is settled. Most of these rows are duplicates anyway.
 void DiskRowStore::fill_filter() {
     filter_.reset(kept_.files().rows());
     if (filter_.capacity() == 0) return;
@@ -146,15 +146,16 @@ void DiskRowStore::fill_filter() {
     });
 }
 
-/// The more has been done since the last settling, the more is lost if a row has been taken for an old one meanwhile.
-/// The least is lost in all if that, times its probability, is as much as a settling takes (Young, CACM 17(9), 1974).
-/// Rows put aside in files are settled when they are as many as all others, so that they take no more than these.
+/// The more work has been done since the last settling, the more is lost if a row has been taken for a duplicate by
+/// mistake. The total loss is least if this work, times the probability of a mistake, equals the work of settling
+/// (Young, CACM 17(9), 1974). Rows put aside in files are settled when they are as many as all others, so that they
+/// never need more space than these.
 bool DiskRowStore::wants_to_settle() const {
     if (late_->size() > 0) return true;
     if (aside_.empty()) return false;
     if (aside_.on_disk() && aside_.rows() >= kept_.files().rows()) return true;
     const auto settling = static_cast<double>(kept_.files().rows() + aside_.rows());
-    // Filling the filter anew takes longer for a row than reading it.
+    // Refilling the filter takes longer for each row than reading it.
     const double lost = static_cast<double>(met_) * bounds_.reads_a_step + 6 * settling;
     const double in_error = filter_.capacity() == 0 ? 1.0 : std::min(1.0, static_cast<double>(new_) * filter_.error());
     return bounds_.reads_a_step > 0 && in_error * lost >= settling;
@@ -162,23 +163,23 @@ bool DiskRowStore::wants_to_settle() const {
 
 namespace {
 
-/// Compares rows of so many words: less, equal, greater.
+/// Compares rows of `width` words: less, equal, greater.
 int compared(const Word* a, const Word* b, std::size_t width) {
     for (std::size_t i = 0; i < width; ++i)
         if (a[i] != b[i]) return a[i] < b[i] ? -1 : 1;
     return 0;
 }
 
-/// Ascending rows with their levels, that another ascending sequence is compared with.
+/// Ascending rows with their levels, compared with another ascending sequence.
 class Sought {
 public:
     Sought(std::vector<Word>& rows, std::size_t width) : rows_(rows), width_(width) {}
-    /// Goes on to the first row that is not before this one, in steps that become longer (Bentley and Yao, Information
-    /// Processing Letters 5(3), 1976). False: there is none.
+    /// Advances to the first row that is not before `wanted`, in increasing steps (Bentley and Yao, Information
+    /// Processing Letters 5(3), 1976). False if there is none.
     bool seek(const Word* wanted) {
         if (at_ == end() || !before(at_, wanted)) return at_ != end();
         std::size_t step = stride();
-        std::size_t low = at_;  // is before it
+        std::size_t low = at_;  // a row before `wanted`
         while (end() - low > step && before(low + step, wanted)) {
             low += step;
             step *= 2;
@@ -195,7 +196,7 @@ public:
     [[nodiscard]] Level level() const { return rows_[at_ + width_]; }
     void mark() { rows_[at_ + width_] = no_level; }
 
-    /// Removes the rows that are marked.
+    /// Removes the marked rows.
     void remove_marked() {
         std::size_t to = 0;
         for (std::size_t from = 0; from < end(); from += stride()) {
@@ -219,7 +220,8 @@ private:
 
 }  // namespace
 
-/// Removes the rows that this level has and their own, or one before it. Blocks that none can be in are not read.
+/// Removes the rows that are in this level, if it is their own level or an earlier one. Blocks that cannot contain any
+/// of them are not read.
 void DiskRowStore::remove_those_in(Level level, bool polled, std::vector<Word>& rows) {
     Sought sought(rows, width());
     const auto wants = [&](StateView first, StateView next) {
@@ -243,8 +245,9 @@ void DiskRowStore::remove_those_in(Level level, bool polled, std::vector<Word>& 
     if (any) sought.remove_marked();
 }
 
-/// What no level has: joins the open one, or is late. Whether some has joined. Of late rows those of the least level
-/// count: the search goes back there, and finds the others again. Where it does not go on, the open level is left out.
+/// Handles rows that are in no level: they join the open level, or are late. Returns whether some have joined. Late
+/// rows of the least level are kept: the search rolls back to it and finds the others again. If the search does not
+/// continue, the open level is left out.
 bool DiskRowStore::take_missing(std::span<const Word> rows, bool going_on) {
     bool joined = false;
     for (std::size_t at = 0; at < rows.size(); at += width() + 1) {
@@ -265,7 +268,8 @@ bool DiskRowStore::take_missing(std::span<const Word> rows, bool going_on) {
     return joined;
 }
 
-/// Whether some rows have joined the open level. `going_on`: else the search has ended, and has no time for anything.
+/// Returns whether some rows have joined the open level. If `going_on` is false, the search has ended, and no time is
+/// left for other work.
 bool DiskRowStore::settle_aside(bool going_on) {
     if (aside_.empty()) return false;
     ++figures_.settled;
@@ -292,10 +296,10 @@ void DiskRowStore::forget_aside() {
     aside_.clear();
 }
 
-/// The filter is filled anew: it would take the rows of later levels, when they are found again, for old ones.
+/// The filter is refilled; otherwise it would report the rows of later levels as duplicates when they are found again.
 void DiskRowStore::roll_back_to(Level level) {
     forget_aside();
-    if (level == levels()) return;  // what was missing has joined it
+    if (level == levels()) return;  // the missing rows have joined it
     ++figures_.rolled_back;
     empty_open();
     runs_.add([&](const storage::TakeRows& take) {
@@ -308,11 +312,11 @@ void DiskRowStore::roll_back_to(Level level) {
     fill_filter();
     for (StateIndex i = 0; i < late_->size() && late_level_ == level; ++i)
         add_to_open((*late_)[i], StateStore::hash((*late_)[i]));
-    late_ = new_store();  // those of later levels are found again
+    late_ = new_store();  // rows of later levels will be found again
     late_level_ = no_level;
 }
 
-/// Rows put aside, and those that closed levels lack: unsure for another run.
+/// Passes the rows put aside, and those missing in closed levels: another run treats them as unsure.
 void DiskRowStore::give_unsure(const storage::TakeRows& take) const {
     aside_.each_piece([&](const std::vector<Word>& rows) { take(rows); });
     std::vector<Word> rows;
@@ -324,8 +328,8 @@ void DiskRowStore::give_unsure(const storage::TakeRows& take) const {
     take(rows);
 }
 
-/// Runs are of the open level, which is left out; what they take on the disk may be needed. Where there is no space for
-/// the rows put aside either, they are settled, so that they need none; then levels are given up.
+/// Runs belong to the open level, which is left out; their disk space may be needed. If there is no space for the rows
+/// put aside either, they are settled, so that they need none; after that, levels are dropped.
 void DiskRowStore::checkpoint() {
     const auto unsure = [this](const storage::TakeRows& take) { give_unsure(take); };
     empty_open();

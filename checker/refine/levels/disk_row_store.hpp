@@ -1,9 +1,9 @@
-// More rows than memory holds (docs/search.md, "Out of core"). All closed levels are in sorted files. In memory are
-// rows of the open level, which are written as sorted runs when they take too much, and a filter over all closed
-// levels. A row that the filter does not have is new. One that it has is almost surely old: it is put aside, in
-// files too where these rows are many. From time to time, and before any verdict, the levels are read through for the
-// rows put aside. One that is in none after all was taken for an old one in error: it joins the open level, or the
-// search goes back to its level.
+// A store for more rows than fit into memory (docs/search.md, "Out of core"). All closed levels are in sorted files.
+// Memory contains rows of the open level, which are written as sorted runs when they need too much memory, and a filter
+// over all closed levels. A row that the filter rejects is new. A row that it accepts is almost certainly a duplicate:
+// it is put aside, in files if there are many such rows. From time to time, and before any verdict, the store reads all
+// levels and looks for the rows put aside. A row that is in no level was taken for a duplicate by mistake: it joins the
+// open level, or the search rolls back to its level.
 #pragma once
 
 #include <memory>
@@ -18,24 +18,25 @@ namespace robochart::refine {
 
 class DiskRowStore final : public RowStore {
 public:
-    /// What has happened, for those who measure.
+    /// Statistics of the store.
     struct Figures {
-        std::uint64_t settled = 0;       ///< times that the levels were read through for rows put aside
-        std::uint64_t put_aside = 0;     ///< rows that were put aside when they were read through, together
-        std::uint64_t rolled_back = 0;   ///< times that the search went back
-        std::uint64_t in_error = 0;      ///< rows that were taken for old ones
-        std::uint64_t runs_written = 0;  ///< times that rows of an open level were written before it was complete
+        std::uint64_t settled = 0;       ///< number of passes through all levels to settle rows put aside
+        std::uint64_t put_aside = 0;     ///< total number of rows put aside in these passes
+        std::uint64_t rolled_back = 0;   ///< number of times that the search rolled back
+        std::uint64_t in_error = 0;      ///< number of rows taken for duplicates by mistake
+        std::uint64_t runs_written = 0;  ///< number of times that rows of an open level were written before it was
+                                         ///< complete
         std::uint64_t peak_bytes = 0;
     };
     struct Bounds {
-        std::uint64_t most_bytes = 0;  ///< that all should take in memory, but for a block of each run that is merged
-        unsigned filter_bits = 32;     ///< of each row, at most
-        /// In the time of one row that the search meets, so many rows of the files are read; 0: nothing is settled
-        /// before it must be.
+        std::uint64_t most_bytes = 0;  ///< limit on the total memory, except for a block of each run during a merge
+        unsigned filter_bits = 32;     ///< maximal number of bits for each row
+        /// number of rows that can be read from files in the time that the search needs for one row; 0: rows are
+        /// settled only when this is unavoidable
         unsigned reads_a_step = 10;
         std::function<void(const Figures&)> report;  ///< called at the end; may be empty
     };
-    /// Goes on from the newest checkpoint in the folder, if there is one. Throws storage::BadFile.
+    /// Continues from the newest checkpoint in the folder, if there is one. Throws storage::BadFile.
     DiskRowStore(KeptWhere where, Bounds bounds);
     ~DiskRowStore() override;
     DiskRowStore(const DiskRowStore&) = delete;
@@ -84,14 +85,14 @@ private:
     KeptLevels kept_;
     Bounds bounds_;
     RowFilter filter_;
-    std::uint64_t most_open_;  ///< rows
+    std::uint64_t most_open_;  ///< number of rows
     Store open_;
-    storage::SortedRuns runs_;  ///< other rows of the open level, perhaps some of `open_` too
+    storage::SortedRuns runs_;  ///< further rows of the open level, some of which may also be in `open_`
     RowsAside aside_;
-    Level late_level_ = 0;   ///< the least that lacks rows
-    Store late_;             ///< these rows
-    std::uint64_t met_ = 0;  ///< rows since the last settling
-    std::uint64_t new_ = 0;  ///< of these, entered
+    Level late_level_ = 0;   ///< the least level with missing rows
+    Store late_;             ///< the missing rows
+    std::uint64_t met_ = 0;  ///< number of rows since the last settling
+    std::uint64_t new_ = 0;  ///< number of new rows among these
     Figures figures_;
 };
 

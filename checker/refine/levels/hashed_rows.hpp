@@ -1,4 +1,4 @@
-// Rows one after the other with their hashes, so that memory works on several look-ups at once.
+// Visits rows with their hashes in batches, so that several look-ups access memory at the same time.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace robochart::refine {
 
-/// `prefetch(hash)` of some rows is called before `visit(row, hash)` of the first of them. `rows`: a multiple of
-/// `width` words, at least one.
+/// `prefetch(hash)` is called for several rows before `visit(row, hash)` is called for the first of them. The size of
+/// `rows` is a multiple of `width` words, at least one row.
 template <class Prefetch, class Visit>
 void each_hashed(lts::StateView rows, std::size_t width, const Prefetch& prefetch, const Visit& visit) {
     constexpr std::size_t ahead = 64;

@@ -20,12 +20,13 @@ std::string path_of(const char* what, const KeptWhere& where) {
 KeptLevels::KeptLevels(KeptWhere where)
     : where_(std::move(where)), files_({where_.folder, where_.kind, where_.place}) {}
 
-/// A rank that was ended while it closed a level or went back has fewer or more levels than others. Those that all have
-/// are complete, but for rows that are unsure: a rank goes on to the next level when all have closed the one before.
-/// The last of them is expanded again, which finds what the later ones had, their rows that were unsure too.
+/// A rank that was killed while it closed a level or rolled back has a different number of levels than others. The
+/// levels that all ranks have are complete, except for unsure rows, because a rank starts a level only when all have
+/// closed the one before. The last of them is expanded again, which finds the rows of later levels, including those
+/// that were unsure.
 void KeptLevels::load(SearchRecord& record, const TakeUnsure& unsure) {
     const std::vector<storage::Checkpoint> found = storage::read(where_.folder, where_.kind, where_.from);
-    // Numbers that some ranks have used and others not are not used again.
+    // Numbers that only some ranks have used are not used again.
     const std::uint64_t greatest = where_.from.greatest;
     if (found.empty()) {
         files_.number_from(greatest);
@@ -62,7 +63,7 @@ void KeptLevels::load(SearchRecord& record, const TakeUnsure& unsure) {
                 if (level < levels && mine(row)) unsure(level, row);
             }
         });
-        // Figures are summed up over ranks, so the first rank may have those of all.
+        // Statistics are summed over ranks, so the first rank can store those of all.
         record.expanded.resize(levels - 1);
         if (!same && where_.place.rank != 0) continue;
         for (std::size_t level = 0; level < record.expanded.size(); ++level) {
@@ -72,7 +73,8 @@ void KeptLevels::load(SearchRecord& record, const TakeUnsure& unsure) {
     }
 }
 
-/// Of each level but the last one there are figures, so that a number of levels takes no more memory than its text.
+/// There are statistics for every level except the last, so the number of levels in memory is limited by the size of
+/// the file.
 void KeptLevels::check(const storage::Checkpoint& found) const {
     if (found.levels > found.expanded.size() + 1)
         throw storage::BadFile(
@@ -80,7 +82,7 @@ void KeptLevels::check(const storage::Checkpoint& found) const {
                         storage::name_of(found.number, found.place), found.levels, found.expanded.size()));
 }
 
-/// The rows of this rank out of the files of all that there were: of each a run, which are merged.
+/// Collects the rows of this rank from the files of all former ranks: a run from each, and then merges them.
 void KeptLevels::redistribute(const std::vector<storage::Checkpoint>& found, Level levels) {
     std::vector<storage::LevelFiles> all;
     for (const storage::Checkpoint& each : found) {
@@ -112,7 +114,7 @@ void KeptLevels::redistribute(const std::vector<storage::Checkpoint>& found, Lev
     rows_before_ = before;
 }
 
-/// Those rows of a level that are this rank's, as a run. Gives how many.
+/// Adds the rows of a level that belong to this rank as a run; returns their number.
 std::uint64_t KeptLevels::add_mine(storage::LevelFiles& from, Level level, storage::SortedRuns& runs) {
     const std::size_t width = where_.kind.width;
     std::uint64_t rows = 0;

@@ -1,5 +1,5 @@
-// What row stores that use files have in common: the levels of one rank in files, when it is time for a checkpoint,
-// what is in it, and how a search goes on from one, whatever number of ranks has written it.
+// The common part of row stores that use files: the levels of one rank in files, the time and the contents of
+// checkpoints, and continuing a search from a checkpoint written by any number of ranks.
 #pragma once
 
 #include <chrono>
@@ -15,47 +15,47 @@
 
 namespace robochart::refine {
 
-/// Where and how a search keeps rows in files.
+/// Where and how a search stores rows in files.
 struct KeptWhere {
-    std::string folder;     ///< of this search alone; exists
-    storage::RowKind kind;  ///< says which search it is
-    storage::Place place;   ///< which rank of it
-    storage::Newest from;   ///< what is gone on from: the same at all ranks
-    /// Between checkpoints; none: they are written on limits and interrupts alone.
+    std::string folder;     ///< used only by this search; must exist
+    storage::RowKind kind;  ///< identifies the search
+    storage::Place place;   ///< the rank of the search
+    storage::Newest from;   ///< the checkpoint from which it continues, the same at all ranks
+    /// time between checkpoints; no value: they are written only on limits and interrupts
     std::optional<std::chrono::milliseconds> every;
-    /// Whether a row belongs to this rank; empty: all do.
+    /// Whether a row belongs to this rank; empty: all rows do.
     std::function<bool(lts::StateView row)> mine;
     /// Called during long work; may throw.
     std::function<void()> poll;
-    /// Open as long as this rank uses the folder; null: nobody asks.
+    /// Open as long as this rank uses the folder; null: the folder is not locked.
     std::shared_ptr<const diagnostics::Descriptor> lock;
 };
 
-/// Of a file beside the levels.
+/// The path of a file in addition to the levels.
 [[nodiscard]] std::string path_of(const char* what, const KeptWhere& where);
 
 class KeptLevels {
 public:
     explicit KeptLevels(KeptWhere where);
 
-    /// Takes a row that a run was unsure of, with the level that it belongs to if it is none of an earlier one.
+    /// Receives a row that a run was unsure about, with its level if it is not a duplicate of an earlier one.
     using TakeUnsure = std::function<void(Level level, lts::StateView row)>;
-    /// Goes on from the checkpoint, if there is one: the levels that all its ranks have closed are then in files(), and
-    /// the record is that of these levels. `unsure` is called when the levels are there. Throws
-    /// storage::BadFile, and what `unsure` throws.
+    /// Continues from the checkpoint, if there is one: files() then contains the levels that all its ranks have closed,
+    /// and the record describes these levels. `unsure` is called after the levels have been loaded. Throws
+    /// storage::BadFile, and the exceptions of `unsure`.
     void load(SearchRecord& record, const TakeUnsure& unsure);
 
-    /// How many rows those levels had at all ranks that there were; none where load has not divided them anew.
+    /// The number of rows in these levels at all former ranks; no value if load has not redistributed them.
     [[nodiscard]] std::optional<std::uint64_t> rows_before() const { return rows_before_; }
 
     [[nodiscard]] storage::LevelFiles& files() { return files_; }
     [[nodiscard]] const storage::LevelFiles& files() const { return files_; }
     [[nodiscard]] bool checkpoint_due() const;
-    /// Writes one. `unsure` gives rows with their levels behind; those of levels that are not closed are left out.
-    /// Throws storage::CannotWrite.
+    /// Writes a checkpoint. `unsure` passes rows followed by their levels; rows of levels that are not closed are left
+    /// out. Throws storage::CannotWrite.
     void checkpoint(const SearchRecord& record, const storage::LevelFiles::GivePieces& unsure);
-    /// After CannotWrite: one of fewer levels, of as many as there is space for. The others are no longer there, so
-    /// that the search is over. Throws storage::CannotWrite where no level is left that the checkpoint before has not.
+    /// After CannotWrite: writes a checkpoint of as many levels as there is space for. The other levels are dropped, so
+    /// the search is over. Throws storage::CannotWrite if no level remains that is not in the previous checkpoint.
     void checkpoint_of_fewer(const SearchRecord& record, const storage::LevelFiles::GivePieces& unsure);
     void poll() const {
         if (where_.poll) where_.poll();

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t rows_a_round = std::size_t{1} << 16U;
 constexpr std::size_t rows_a_block = 256;
 
-/// Adds the processor time of this thread while it lives.
+/// Adds the processor time of this thread during its lifetime.
 class Timed {
 public:
     explicit Timed(double& seconds) : seconds_(seconds), start_(now()) {}
@@ -97,19 +97,20 @@ std::optional<LevelFinding> LevelSearch::first_violation(std::uint64_t events_un
     }
 }
 
-/// Where all leave the search together, and else by this rank alone. Without a level there is nothing to go on from.
+/// Writes a checkpoint when all ranks leave the search together, otherwise only for this rank. Without a level there is
+/// nothing to continue from.
 void LevelSearch::keep() {
     if (!exchange_.left_together()) {
         if (store_.levels() > 0) store_.checkpoint();
         return;
     }
-    exchange_.begin_together();  // an error of this rank alone in what follows is one that others do not know of
+    exchange_.begin_together();  // the other ranks do not know of an error that only this rank has from here on
     SharedWork last(exchange_);
     checkpoint(last);
     exchange_.leave_together();
 }
 
-/// The run is not ended by force before all have written theirs.
+/// The run is not killed before all ranks have written their checkpoints.
 void LevelSearch::checkpoint(SharedWork& work) {
     std::shared_ptr<void> held;
     work.attempt([&] {
@@ -130,7 +131,7 @@ void LevelSearch::close_level_of_store() {
     store_.close_level();
 }
 
-/// A level may be expanded again after others that were searched for taus alone.
+/// A level may be expanded again after levels for which only taus were followed.
 void LevelSearch::use_expander(bool taus_alone) {
     if (expander_ && taus_alone_ == taus_alone) return;
     taus_alone_ = taus_alone;
@@ -138,7 +139,7 @@ void LevelSearch::use_expander(bool taus_alone) {
     if (taus_alone) expander_->follow_taus_alone();
 }
 
-/// The initial row, or, where the store continues an earlier run, the figures so far.
+/// Enters the initial row, or, if the store continues an earlier run, reads the statistics so far.
 void LevelSearch::begin() {
     work_.attempt([this] {
         if (store_.levels() > 0) return;
@@ -164,8 +165,8 @@ void LevelSearch::begin() {
     work_.sum({});
 }
 
-/// In rounds, each of which ends with all ranks knowing what is left. The figures are added to those kept so far: the
-/// initial state's are part of its level's.
+/// In rounds; at the end of each round all ranks know how much work remains. Statistics are added to those stored so
+/// far: the initial state's belong to its level.
 void LevelSearch::expand_level(Level level) {
     fault_.reset();
     forbidden_.reset();
@@ -176,7 +177,7 @@ void LevelSearch::expand_level(Level level) {
         {
             const Timed timed(level_seconds_[level]);
             work_.attempt([&] {
-                budget_.check();  // after all that the ranks have waited
+                budget_.check();  // called after all waiting
                 expand_some(level, next);
             });
         }
@@ -203,7 +204,8 @@ void LevelSearch::expand_level(Level level) {
 
 void LevelSearch::expand_some(Level level, std::uint64_t& next) {
     const std::size_t width = store_.width();
-    // What waits takes little beside what is kept, and that of all threads of a program together fits a message.
+    // Waiting rows take little memory compared with the store, and those of all threads of a program fit into one
+    // message.
     const std::uint64_t most_waiting =
         std::clamp(store_.bytes() / 32, std::uint64_t{1} << 13U, std::uint64_t{1} << 26U);
     for (std::size_t done = 0; done < rows_a_round && !batches_.full(most_waiting);) {
@@ -224,7 +226,7 @@ void LevelSearch::expand_some(Level level, std::uint64_t& next) {
             } catch (const std::bad_alloc&) {
                 throw;
             } catch (const std::exception&) {
-                // An error of evaluation, in a process that stays a term: what was found before it comes first.
+                // An evaluation error, in a process that stays a term: results found before it take precedence.
                 if (!fault_) throw;
                 next = store_.rows(level);
                 return;
@@ -246,8 +248,8 @@ void LevelSearch::expand(StateView row) {
     if (pair.forbidden) keep_least(forbidden_, {{row.begin(), row.end()}, ViolationKind::trace, *pair.forbidden});
 }
 
-/// Rows of others are put aside, and this rank's own entered. Whether a tau leads back depends on the level: its target
-/// is sent each time.
+/// Rows of other ranks are collected for sending, and this rank's own are entered. Whether a tau leads back depends on
+/// the level, so its target is sent each time.
 void LevelSearch::take() {
     const unsigned ranks = exchange_.ranks();
     const unsigned self = exchange_.rank();
@@ -267,7 +269,7 @@ void LevelSearch::take() {
     expansion_.clear(store_.width());
 }
 
-/// A tau to a row of the same level or an earlier one leads back: every cycle of taus has one.
+/// A tau to a row of the same level or an earlier one leads back; every cycle of taus contains one.
 void LevelSearch::enter(StateView row, std::uint64_t hash, bool by_tau) {
     const RowStore::Found found = store_.enter(row, hash);
     if (by_tau && (found == RowStore::Found::earlier || found == RowStore::Found::unsure))
@@ -289,7 +291,7 @@ void LevelSearch::agree(std::uint64_t waiting) {
     agreed_ = {values[0], values[1], values[2], values[3], values[4], values[5], values[6], values[7], values[8]};
 }
 
-/// The least level that some rank has missed a row of.
+/// The least level in which some rank has missed a row.
 std::optional<Level> LevelSearch::settle() {
     std::optional<Level> wrong;
     work_.attempt([&] { wrong = store_.settle(); });
@@ -316,7 +318,7 @@ void LevelSearch::roll_back_to(Level level) {
         work_.attempt([this] { close_level_of_store(); });
 }
 
-/// The level that has been expanded is complete, and so is the open one.
+/// The expanded level is complete, and so is the open one.
 void LevelSearch::close_level() {
     work_.attempt([this] {
         store_.record().expanded.push_back(figures_);
@@ -342,7 +344,7 @@ LevelFigures LevelSearch::figures_until(std::size_t levels) const {
     return sum;
 }
 
-/// All up to this level, which has been expanded.
+/// Counts all levels up to this one, which has been expanded.
 void LevelSearch::count(Level last) {
     transitions_ = agreed_.transitions;
     chased_ = agreed_.chased;
@@ -354,7 +356,7 @@ void LevelSearch::keep_least(std::optional<Fault>& kept, Fault found) {
     if (!kept || found.row < kept->row) kept = std::move(found);
 }
 
-/// Of all ranks.
+/// The least fault of all ranks.
 std::optional<LevelSearch::Fault> LevelSearch::least_fault() {
     const std::optional<Fault>& own = agreed_.faults > 0 ? fault_ : forbidden_;
     Words words;
@@ -375,7 +377,7 @@ LevelFinding LevelSearch::finding_of(const Fault& fault, Level level) {
     return finding;
 }
 
-/// Every rank can take the step; of several the one to the least state.
+/// Every rank can make the step; among several, the one to the least state is taken.
 void LevelSearch::forbidden_step(const Fault& fault, Run& run) {
     std::optional<RunStep> least;
     for (RunStep& step : steps_from(system_, state(fault.row)))
@@ -384,7 +386,7 @@ void LevelSearch::forbidden_step(const Fault& fault, Run& run) {
     run.steps.push_back(std::move(*least));
 }
 
-/// A row of the level before and the step from it.
+/// A row of the previous level and the step from it.
 struct LevelSearch::Step {
     Words row;
     Event event = process::tau;
@@ -449,7 +451,7 @@ Run LevelSearch::run_to(const Words& row, Level level) {
     return run;
 }
 
-/// Every rank looks through its part of the level.
+/// Every rank searches its part of the level.
 LevelSearch::Step LevelSearch::last_step(const Words& row, Level level) {
     std::optional<Step> least;
     work_.attempt([&] {
@@ -488,7 +490,7 @@ LevelSearch::Step LevelSearch::last_step(const Words& row, Level level) {
 }
 
 std::optional<LevelFinding> LevelSearch::first_divergence() {
-    checkpoint(work_);  // a limit in what follows leaves no rank the time for it
+    checkpoint(work_);  // a limit reached after this leaves the ranks no time for it
     TauElimination elimination(system_, store_, exchange_, budget_, work_, nodes_);
     const std::optional<TauCycle> cycle = elimination.least_cycle();
     if (!cycle) return std::nullopt;

@@ -1,10 +1,11 @@
-// Level-synchronous search by several ranks: the same product of system and monitor as search.hpp, but each row belongs
-// to the rank that its hash says, and no parents are kept. The ranks expand a level in rounds, send each other the rows
-// found, and agree at the end of each level. Runs are found afterwards, by expanding the levels before once more.
+// Level-synchronous search by several ranks: the same product of system and monitor as search.hpp, but the hash of a
+// row determines the rank that owns it, and no parents are stored. The ranks expand a level in rounds, exchange the
+// rows found, and agree at the end of each level. Runs are found afterwards by expanding the earlier levels again.
 //
-// What is found does not depend on the number of ranks, nor on where rows are kept: of several violations at the least
-// level, a state's fault comes before a forbidden event, then the least row, by its words; of several predecessors of a
-// row, the least by words, then by event and revealed event. Where a violation is found, its whole level is counted.
+// The result does not depend on the number of ranks, nor on where rows are stored. Among several violations at the
+// least level, a state's fault comes before a forbidden event, then the least row by its words. Among several
+// predecessors of a row, the least by words, then by event and revealed event, is taken. If a violation is found, its
+// whole level is counted.
 #pragma once
 
 #include <limits>
@@ -23,42 +24,43 @@
 
 namespace robochart::refine {
 
-/// A violation with a shortest run; the last step of a forbidden event is part of it.
+/// A violation with a shortest run, including the step of a forbidden event.
 struct LevelFinding {
     ViolationKind kind = ViolationKind::trace;
     Run run;
     Run loop;  ///< divergence: taus from the run's last state back to it
 };
 
-/// One rank's part of a search; all functions but the figures are collective. What a rank finds all know.
+/// One rank's part of a search. All functions are collective except for the statistics, and all ranks get the same
+/// results.
 class LevelSearch {
 public:
-    /// `monitor` numbers its nodes in the same way at each rank. `store` has rows of the system's width, and one word
-    /// more if the monitor has nodes. `note_taus`: cycles of taus will be asked for.
+    /// `monitor` must number its nodes in the same way at each rank. `store` has rows of the system's width, plus one
+    /// word if the monitor has nodes. `note_taus`: first_divergence will be called.
     LevelSearch(lts::TransitionSystem& system, Monitor& monitor, RowStore& store, Exchange& exchange, Budget& budget,
                 bool note_taus);
     LevelSearch(const LevelSearch&) = delete;
     LevelSearch& operator=(const LevelSearch&) = delete;
     ~LevelSearch();
 
-    /// The first violation, none when all rows have been seen. Rows of level `events_until` and later are followed by
-    /// taus alone. At a limit, which any rank may reach, all write a checkpoint and throw.
+    /// The first violation; no value if all rows have been seen. Only taus of rows in level `events_until` and later
+    /// are followed. At a limit, which any rank may reach, all ranks write a checkpoint and throw.
     std::optional<LevelFinding> first_violation(std::uint64_t events_until = std::numeric_limits<std::uint64_t>::max());
     /// After a search without violation that noted taus: the least row, by level and words, on a cycle of taus.
     std::optional<LevelFinding> first_divergence();
 
-    // Of all ranks. Where a violation was found: of the levels up to its own.
+    // For all ranks. If a violation was found: for the levels up to its own.
     [[nodiscard]] std::uint64_t states() const { return states_; }
     [[nodiscard]] std::uint64_t transitions() const { return transitions_; }
     [[nodiscard]] std::uint64_t chased() const { return chased_; }
     [[nodiscard]] std::uint64_t depth() const { return depth_; }
 
-    // Of this rank.
-    /// By level, the processor time of expanding it and entering what it gave.
+    // For this rank.
+    /// By level: the processor time of expanding it and entering the rows found.
     [[nodiscard]] const std::vector<double>& level_seconds() const { return level_seconds_; }
-    /// Rows sent to others.
+    /// Number of rows sent to other ranks.
     [[nodiscard]] std::uint64_t crossing_rows() const { return batches_.rows(); }
-    /// The most that rows and messages have taken in memory at the end of a level.
+    /// The maximal memory use of rows and messages at the end of a level.
     [[nodiscard]] std::uint64_t peak_bytes() const { return peak_bytes_; }
 
 private:
@@ -68,7 +70,7 @@ private:
         ViolationKind kind = ViolationKind::trace;
         process::Event event = process::tau;
     };
-    /// What the ranks know together at the end of a round.
+    /// The data on which the ranks agree at the end of a round.
     struct Agreed {
         std::uint64_t waiting = 0;  ///< rows of the level that have not been expanded
         std::uint64_t known = 0;    ///< rows of all levels
@@ -117,14 +119,14 @@ private:
     SharedWork work_;
     RowBatches batches_;
     SentRows sent_;
-    lts::StateStore no_rows_;  // what an expander of rows that lie elsewhere is given
+    lts::StateStore no_rows_;  // passed to an expander whose rows are stored elsewhere
     std::optional<Expander> expander_;
     Expansion expansion_;
     std::vector<lts::Word> block_;    // rows read from the store
-    std::vector<std::uint32_t> own_;  // of the expansion's rows, this rank's
+    std::vector<std::uint32_t> own_;  // those of the expansion's rows that belong to this rank
     bool taus_alone_ = false;
     LevelFigures figures_;  // of the level that is being expanded
-    LevelFigures before_;   // of those before it
+    LevelFigures before_;   // of the levels before it
     std::optional<Fault> fault_, forbidden_;
     Agreed agreed_;
     std::uint64_t states_ = 0, transitions_ = 0, chased_ = 0, depth_ = 0;

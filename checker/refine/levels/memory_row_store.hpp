@@ -24,7 +24,7 @@ private:
     [[nodiscard]] std::uint64_t end(Level level) const { return level < ends_.size() ? ends_[level] : rows_.size(); }
 
     lts::StateStore rows_;             // in the order of levels
-    std::vector<std::uint64_t> ends_;  // of the closed levels
+    std::vector<std::uint64_t> ends_;  // ends of the closed levels
 };
 
 }  // namespace robochart::refine

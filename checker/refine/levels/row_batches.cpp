@@ -7,7 +7,7 @@ RowBatches::RowBatches(unsigned ranks, std::size_t width)
     out_.words.resize(ranks * space_);
 }
 
-/// A quarter more for each message.
+/// Grows each message by a quarter.
 void RowBatches::make_space() {
     const std::size_t larger = space_ + std::max(space_ / 4, width_);
     Words words(messages_.size() * larger);

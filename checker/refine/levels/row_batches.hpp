@@ -1,4 +1,4 @@
-// Rows on their way to the ranks that they belong to.
+// Rows that are to be sent to their owners.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace robochart::refine {
 
-/// For each rank a message: how many of its rows no tau has led to, these rows, the rows that a tau has led to.
+/// One message for each rank: the number of rows that are not targets of taus, these rows, then the targets of taus.
 class RowBatches {
 public:
     RowBatches(unsigned ranks, std::size_t width);
@@ -26,19 +26,19 @@ public:
             at += message.front;
             message.front += width_;
         }
-        for (std::size_t i = 0; i < width_; ++i) out_.words[at + i] = row[i];  // few
+        for (std::size_t i = 0; i < width_; ++i) out_.words[at + i] = row[i];  // a loop, because rows are short
         largest_ = std::max(largest_, message.front + message.back);
         ++waiting_;
     }
-    /// Whether a message has reached 64 KiB, or all together this many bytes: time to send.
+    /// Whether a message has reached 64 KiB, or all messages together this many bytes, so that it is time to send.
     [[nodiscard]] bool full(std::uint64_t bytes) const {
         return largest_ * sizeof(lts::Word) >= std::size_t{1} << 16U || waiting_ * width_ * sizeof(lts::Word) >= bytes;
     }
-    /// How many rows there were, of all messages.
+    /// The number of rows in all messages so far.
     [[nodiscard]] std::uint64_t rows() const { return rows_ + waiting_; }
-    /// Sends all, and gets what the others have sent.
+    /// Sends all messages, and receives those of the others.
     void exchange(Exchange& with);
-    /// Gives what has come, row by row, with its hash; several rows are asked for before the first is given.
+    /// Passes the received rows one by one with their hashes; several rows are prefetched before the first is passed.
     /// `prefetch(hash)`, `enter(row, hash, by_tau)`.
     template <class Prefetch, class Enter>
     void receive(const Prefetch& prefetch, const Enter& enter) const {
@@ -50,14 +50,14 @@ public:
                         [&](lts::StateView words, auto hash) { enter(words, hash, row++ >= message[0]); });
         }
     }
-    /// In memory.
+    /// Memory use.
     [[nodiscard]] std::uint64_t bytes() const {
         return (out_.words.capacity() + in_.words.capacity()) * sizeof(lts::Word);
     }
 
 private:
-    /// Words used of a rank's space: from its front on the number, still unknown, and the rows that no tau has led to;
-    /// up to its end the others.
+    /// Use of a rank's space: at its beginning the number, not known yet, and the rows that are not targets of taus;
+    /// towards its end the others.
     struct Message {
         std::size_t front = 1;
         std::size_t back = 0;
@@ -66,10 +66,10 @@ private:
     void make_space();
 
     std::size_t width_;
-    std::size_t space_;  // words of each message
+    std::size_t space_;  // number of words of each message
     std::size_t largest_ = 0;
-    std::uint64_t waiting_ = 0;  // rows that have not been sent
-    std::uint64_t rows_ = 0;     // that have
+    std::uint64_t waiting_ = 0;  // number of rows that have not been sent
+    std::uint64_t rows_ = 0;     // number of rows that have been sent
     std::vector<Message> messages_;
     Messages out_, in_;
 };

@@ -10,7 +10,7 @@ namespace robochart::refine {
 namespace {
 
 constexpr std::size_t counts_size = sizeof(std::uint64_t);
-/// Of so few nobody takes notice.
+/// Fewer expected errors than this are negligible.
 constexpr double fewest_errors = 0.25;
 constexpr std::uint64_t full = std::uint64_t{1} << 63U;
 
@@ -21,7 +21,7 @@ RowFilter::RowFilter(unsigned most_bits, std::uint64_t most_bytes) : most_bits_(
     reset(0);
 }
 
-/// They take whole bytes. The counts of a bucket that is full fill the rest of a word.
+/// Stored values take whole bytes. The counts of a full bucket fill the rest of a word.
 void RowFilter::keep_bits(unsigned bits) {
     bytes_of_row_ = (bits + 7) / 8;
     mask_ = bits >= 32 ? 0xFFFFFFFFU : (std::uint32_t{1} << bits) - 1;
@@ -29,8 +29,8 @@ void RowFilter::keep_bits(unsigned bits) {
     parts_ = 63 - places_;
 }
 
-/// Twice as many rows as there are, or as many as memory holds where that is not much more, so that a filter that grows
-/// is filled anew seldom; where memory is short, an eighth more at least.
+/// Space for twice as many rows as there are, or for as many as fit into memory if that is not much more, so that a
+/// growing filter is seldom refilled; if memory is short, at least an eighth more.
 void RowFilter::reset(std::uint64_t rows) {
     constexpr std::uint64_t fewest = 4096;
     size_ = 0;
@@ -43,7 +43,7 @@ void RowFilter::reset(std::uint64_t rows) {
         const std::uint64_t wanted = std::max(fewest, 2 * rows) * 20 / (std::uint64_t{places_} * 19) + 1;
         const std::uint64_t buckets = wanted > most / 4 ? most : wanted;
         const bool fits = buckets > 0 && space_in(buckets) >= rows + rows / 8 + 1;
-        // Fewer bits make a filter for more rows, that is not filled anew as soon.
+        // Fewer bits make a filter for more rows, which is refilled later.
         const bool fewer = bytes_of_row_ > 1 && errors_with(8 * (bytes_of_row_ - 1), buckets) < fewest_errors;
         if (fits && !fewer) {
             buckets_ = buckets;
@@ -52,17 +52,18 @@ void RowFilter::reset(std::uint64_t rows) {
         if (bytes_of_row_ == 1) return;
     }
     capacity_ = space_in(buckets_);
-    memory_ = lts::zeroed_pages(buckets_ * line + sizeof(std::uint32_t));  // of each row so many bytes are read
+    // the same number of bytes is read for each row
+    memory_ = lts::zeroed_pages(buckets_ * line + sizeof(std::uint32_t));
 }
 
-/// How many rows, about, would be taken for others while it is filled, if so many bits of each were kept.
+/// The approximate number of mistaken rows while the filter is filled, if it stores this many bits of each.
 double RowFilter::errors_with(unsigned bits, std::uint64_t buckets) {
     const double places = static_cast<double>(line - counts_size) / (bits / 8);
     const double compared = places / (63 - places);
     return static_cast<double>(buckets) * places * compared / std::exp2(bits);
 }
 
-/// In each bucket that is looked at a row is compared with those of a part; buckets are looked at up to one that is not
+/// In each examined bucket a row is compared with those of one part; buckets are examined up to the first that is not
 /// full.
 double RowFilter::error() const {
     if (full_ == buckets_) return 1;
@@ -80,14 +81,14 @@ std::uint64_t counts_of(const std::uint8_t* bucket) {
 
 constexpr std::uint64_t ones = 0x0101010101010101U, tops = 0x8080808080808080U;
 
-/// For each byte, how many bits are set in it and those below it.
+/// For each byte, the number of bits set in it and in the lower bytes.
 std::uint64_t sums_of(std::uint64_t word) {
     word -= (word >> 1U) & 0x5555555555555555U;
     word = (word & 0x3333333333333333U) + ((word >> 2U) & 0x3333333333333333U);
     return ((word + (word >> 4U)) & 0x0F0F0F0F0F0F0F0FU) * ones;
 }
 
-/// The place of the zero that so many zeros are before; there is one (Vigna, Broadword implementation of rank/select
+/// The index of the zero after this many zeros, which must exist (Vigna, Broadword implementation of rank/select
 /// queries, WEA 2008).
 unsigned zero_after(std::uint64_t word, unsigned zeros) {
     const std::uint64_t sums = sums_of(~word);
@@ -125,7 +126,7 @@ void RowFilter::add(std::uint64_t hash) {
     ++size_;
 }
 
-/// Rows of a part lie before its zero.
+/// The rows of a part are before its zero.
 bool RowFilter::has(const std::uint8_t* bucket, std::uint64_t counts, unsigned part, std::uint32_t wanted) const {
     unsigned zero = zero_after(counts, part);
     for (const std::uint8_t* at = bucket + counts_size + std::size_t{zero - part} * bytes_of_row_;

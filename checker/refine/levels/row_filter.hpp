@@ -1,9 +1,8 @@
-// Which rows there may be: some bits of the hash of each, in buckets of one cache line. It never misses a row that was
-// added. The more rows there are, the fewer bits it keeps of each, so that it never takes more memory than it was
-// given.
+// A filter of rows: some bits of the hash of each row, in buckets of one cache line. It never rejects a row that was
+// added. The more rows there are, the fewer bits it stores of each, so that it never takes more memory than its limit.
 //
-// A bucket has parts, of which each row has its own by other bits of its hash, so that a look-up compares hardly one
-// row; how many rows each part has is written in unary (Pandey et al., Vector quotient filters, SIGMOD 2021).
+// A bucket consists of parts; other bits of the hash select the part of a row, so that a look-up compares hardly one
+// row. The number of rows in each part is stored in unary (Pandey et al., Vector quotient filters, SIGMOD 2021).
 #pragma once
 
 #include <cstdint>
@@ -14,20 +13,20 @@ namespace robochart::refine {
 
 class RowFilter {
 public:
-    /// Of each hash `most_bits` are kept, 1 to 32, or the next fewer of 24, 16 and 8 for which all rows fit into
-    /// `most_bytes`, and those by which one row in all is hardly taken for another; where not even 8 fit, it may have
-    /// every row.
+    /// Stores `most_bits` of each hash, 1 to 32, or the next fewer of 24, 16 and 8 with which all rows fit into
+    /// `most_bytes` and the expected number of mistaken rows is negligible. If not even 8 bits fit, it accepts every
+    /// row.
     RowFilter(unsigned most_bits, std::uint64_t most_bytes);
 
-    /// Forgets all rows and gets ready for so many, and for some more where there is memory for them.
+    /// Removes all rows and prepares for this many, and for some more if there is memory for them.
     void reset(std::uint64_t rows);
-    /// How many rows it is made for; 0: it may have every row, and none is added.
+    /// The maximal number of rows; 0: it accepts every row, and none may be added.
     [[nodiscard]] std::uint64_t capacity() const { return capacity_; }
     [[nodiscard]] std::uint64_t size() const { return size_; }
-    /// There must be space: size() < capacity().
+    /// Precondition: size() < capacity().
     void add(std::uint64_t hash);
     [[nodiscard]] bool may_have(std::uint64_t hash) const;
-    /// With which probability, about, it may have a row that was not added.
+    /// The approximate probability that it accepts a row that was not added.
     [[nodiscard]] double error() const;
     void prefetch(std::uint64_t hash) const {
         if (buckets_ > 0) __builtin_prefetch(bucket(home_of(hash)));
@@ -39,10 +38,10 @@ private:
 
     void keep_bits(unsigned bits);
     [[nodiscard]] static double errors_with(unsigned bits, std::uint64_t buckets);
-    /// Of twenty places nineteen are taken at most: buckets that are full pass rows on to the next.
+    /// At most nineteen of twenty places are used: full buckets pass rows on to the next.
     [[nodiscard]] std::uint64_t space_in(std::uint64_t buckets) const { return buckets * places_ * 19 / 20; }
-    /// The bucket, and in the lower half of its product the part, are in the upper half of the hash; what is kept is in
-    /// the lower one.
+    /// The upper half of the hash determines the bucket and, in the lower half of its product, the part; the stored
+    /// bits are from the lower half of the hash.
     [[nodiscard]] std::uint64_t home_of(std::uint64_t hash) const { return ((hash >> 32U) * buckets_) >> 32U; }
     [[nodiscard]] unsigned part_of(std::uint64_t hash) const {
         return static_cast<unsigned>(((((hash >> 32U) * buckets_) & 0xFFFFFFFFU) * parts_) >> 32U);
@@ -56,15 +55,15 @@ private:
     std::uint64_t most_bytes_;
     unsigned bytes_of_row_ = 0;
     std::uint32_t mask_ = 0;
-    /// Of a bucket. Before them is a word that says how many are taken by each part: as many ones, and a zero; its top
-    /// bit, whether all are.
+    /// Number of places in a bucket. They are preceded by a word with the number of used places of each part: as many
+    /// ones, then a zero; its top bit tells whether all places are used.
     unsigned places_ = 0;
-    unsigned parts_ = 0;  ///< of a bucket
+    unsigned parts_ = 0;  ///< parts in a bucket
     lts::Pages memory_;
     std::uint64_t buckets_ = 0;
     std::uint64_t capacity_ = 0;
     std::uint64_t size_ = 0;
-    std::uint64_t full_ = 0;  ///< buckets
+    std::uint64_t full_ = 0;  ///< number of full buckets
 };
 
 }  // namespace robochart::refine

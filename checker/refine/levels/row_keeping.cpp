@@ -14,8 +14,8 @@
 namespace robochart::refine {
 namespace {
 
-/// Files of a folder of the same name on another machine would be those of other rows. That the file is still the one
-/// of this name when it is locked says that no other run has begun meanwhile.
+/// A folder with the same name on another machine would contain files for other rows. Checking after locking that the
+/// file still has this name shows that no other run has begun in between.
 std::shared_ptr<const diagnostics::Descriptor> use_folder(const RowKeeping& keeping, unsigned rank) {
     const std::string path = keeping.folder + "/" + run_name;
     const auto refuse = [&](const std::string& why) {

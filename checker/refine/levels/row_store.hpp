@@ -1,5 +1,6 @@
-// What one rank of a level-synchronous search has found: rows (the monitor's node, if it has nodes, and the words of a
-// state), each once, level by level. Implementations keep them in memory or in files, and may continue an earlier run.
+// The rows that one rank of a level-synchronous search has found, without duplicates, level by level. A row is the
+// monitor's node, if it has nodes, and the words of a state. Implementations store rows in memory or in files, and may
+// continue an earlier run.
 #pragma once
 
 #include <cstdint>
@@ -10,91 +11,91 @@
 
 namespace robochart::refine {
 
-/// The length of the shortest run to a row, in steps; the initial row has 0.
+/// The length of the shortest run to a row, in steps; 0 for the initial row.
 using Level = std::uint32_t;
 
-/// What expanding a level has given at one rank.
+/// The statistics of expanding a level at one rank.
 struct LevelFigures {
     std::uint64_t transitions = 0;
-    std::uint64_t chased = 0;  ///< states that these were led on from (lts::TransitionSystem::chased)
+    std::uint64_t chased = 0;  ///< number of left-out states (lts::TransitionSystem::chased)
 };
 
-/// What a search keeps beside rows. It is part of every checkpoint.
+/// The data of a search in addition to rows. It is part of every checkpoint.
 struct SearchRecord {
     explicit SearchRecord(std::size_t width) : marks(width) {}
-    std::vector<LevelFigures> expanded;  ///< by level: those expanded so far, by this rank
-    /// Rows of this rank that a tau leads to from a row of the same level or a later one; perhaps some more.
+    std::vector<LevelFigures> expanded;  ///< by level: those expanded by this rank so far
+    /// Rows of this rank to which a tau leads from a row of the same level or a later one; possibly more.
     lts::StateStore marks;
 };
 
-/// Levels 0 to levels()-1 are closed: their rows are known. The next level, of number levels(), is open: rows are
-/// entered into it. Not thread-safe.
+/// Levels 0 to levels()-1 are closed: their rows are known. The next level, number levels(), is open: rows are entered
+/// into it. Not thread-safe.
 ///
-/// A store that does not have all earlier rows at hand may answer `unsure`: the row is perhaps one of a closed level.
-/// It keeps such a row aside, with the number of the open level, until `settle` finds out. The search takes it for an
-/// earlier one until then.
+/// A store that does not have all earlier rows in memory may return `unsure`: the row may be in a closed level. It
+/// stores such a row, with the number of the open level, until `settle` decides. Until then the search treats it as a
+/// duplicate.
 class RowStore {
 public:
     enum class Found : std::uint8_t {
-        fresh,    ///< it is now in the open level
-        again,    ///< it was in the open level already
+        fresh,    ///< it has been added to the open level
+        again,    ///< it was already in the open level
         earlier,  ///< it is in a closed level
-        unsure    ///< perhaps in a closed level; else it belongs to the open level
+        unsure    ///< it may be in a closed level; otherwise it belongs to the open level
     };
 
-    /// `width`: words of a row.
+    /// `width`: words in a row.
     explicit RowStore(std::size_t width) : record_(width), width_(width) {}
     RowStore(const RowStore&) = delete;
     RowStore& operator=(const RowStore&) = delete;
     virtual ~RowStore() = default;
 
     [[nodiscard]] std::size_t width() const { return width_; }
-    /// How many levels are closed. More than none at the beginning: the store continues an earlier run, of which the
-    /// last closed level has not been expanded yet.
+    /// The number of closed levels. If it is not 0 at the beginning, the store continues an earlier run, in which the
+    /// last closed level has not been expanded.
     [[nodiscard]] virtual Level levels() const = 0;
-    /// How many rows a closed level has, or the open one so far.
+    /// The number of rows in a closed level, or in the open one so far.
     [[nodiscard]] virtual std::uint64_t rows(Level level) const = 0;
-    /// How many rows all levels have.
+    /// The number of rows in all levels.
     [[nodiscard]] virtual std::uint64_t size() const = 0;
 
-    /// Where the store continues a run of another number of ranks: how many rows that had, at all ranks. All ranks now
-    /// have as many together.
+    /// If the store continues a run with another number of ranks: the number of rows at all its ranks. All ranks
+    /// together now have the same number.
     [[nodiscard]] virtual std::optional<std::uint64_t> rows_before() const { return std::nullopt; }
 
-    /// Asks memory for what `enter` will look at.
+    /// Prefetches the memory that `enter` will read.
     virtual void prefetch(std::uint64_t /*hash*/) const {}
-    /// Enters a row into the open level, if it is new. `hash` is lts::StateStore::hash(row). May throw LimitReached
-    /// (disk full, too many rows); closed levels are then as they were.
+    /// Enters a row into the open level if it is new. `hash` is lts::StateStore::hash(row). May throw LimitReached
+    /// (disk full, too many rows); closed levels are then unchanged.
     virtual Found enter(lts::StateView row, std::uint64_t hash) = 0;
-    /// The open level is complete: the next one is open from now on, and empty.
+    /// Closes the open level and opens the next one, which is empty.
     virtual void close_level() = 0;
-    /// Rows of a closed level in the store's own order, the same each time until it rolls back: copies those from
-    /// number `first` on, at most `most`, to the end of `rows`. Gives how many; 0 past the end. Meant to be read in
-    /// order; rows may be entered in between.
+    /// Appends rows of a closed level to `rows`, in the store's own order, which is the same each time until it rolls
+    /// back: those from number `first` on, at most `most`. Returns their number; 0 after the end. Intended for
+    /// sequential reading; rows may be entered in between.
     virtual std::size_t read(Level level, std::uint64_t first, std::size_t most, std::vector<lts::Word>& rows) = 0;
 
-    /// Whether enough rows are unsure for `settle` to be worth it.
+    /// Whether enough rows are unsure for `settle` to pay off.
     [[nodiscard]] virtual bool wants_to_settle() const { return false; }
-    /// Decides about all unsure rows, by comparison with the closed levels. The least level that one of them should
-    /// have been entered into; none if all were found in a level before their own. Called by the search where a rank
-    /// wants it, and before any verdict.
+    /// Decides about all unsure rows by comparison with the closed levels. Returns the least level into which one of
+    /// them should have been entered; no value if all were found in a level before their own. The search calls it if a
+    /// rank wants it, and before any verdict.
     [[nodiscard]] virtual std::optional<Level> settle() { return std::nullopt; }
-    /// Forgets what came after: `level`, at most the open one, is open from now on, with its rows and those that
-    /// `settle` has found to belong to it; later levels are forgotten, with what was unsure. What has once been unsure
-    /// in error is known exactly from then on. Called at all ranks with the least level of all.
+    /// Opens `level`, at most the open one, again, with its rows and those that `settle` has found to belong to it.
+    /// Later levels and unsure rows are dropped. Rows that have once been unsure by mistake are stored exactly from
+    /// then on. Called at all ranks with the least level of all.
     virtual void roll_back_to(Level /*level*/) {}
 
     /// Whether it is time to write a checkpoint.
     [[nodiscard]] virtual bool wants_checkpoint() const { return false; }
-    /// Writes all closed levels and the record, so that another run can continue from there. Called after close_level
-    /// at all ranks where one wants it, and, on a limit or an interrupt, in the midst of a level: then the open level
-    /// is left out, and record().expanded has no figures of the last closed one.
+    /// Writes all closed levels and the record, so that another run can continue from there. Called at all ranks after
+    /// close_level if one of them wants it, and, on a limit or an interrupt, during a level: then the open level is
+    /// left out, and record().expanded has no entry for the last closed one.
     virtual void checkpoint() {}
 
-    /// In memory, all together.
+    /// Total memory use.
     [[nodiscard]] virtual std::uint64_t bytes() const = 0;
 
-    /// Written by the search, kept by the store.
+    /// Written by the search, stored by the store.
     [[nodiscard]] SearchRecord& record() { return record_; }
     [[nodiscard]] const SearchRecord& record() const { return record_; }
 

@@ -11,7 +11,7 @@ using lts::StateStore;
 using lts::StateView;
 using lts::Word;
 
-/// A row is in the store, and once more with its level when rows are given.
+/// Each row is in the store, and exists once more with its level when rows are passed on.
 RowsAside::RowsAside(const std::string& path, const storage::RowKind& kind, std::uint64_t bytes)
     : most_(StateStore::most_in(bytes, kind.width, (kind.width + 1) * sizeof(Word))),
       store_(std::make_unique<StateStore>(kind.width)),
@@ -39,11 +39,11 @@ std::vector<Word> RowsAside::with_levels(StateIndex first, StateIndex end) const
     return rows;
 }
 
-/// Whatever is thrown: all rows are in the store, on their way, or in a run.
+/// Exception-safe: all rows are in the store, in transit, or in a run.
 void RowsAside::write() {
     if (unwritten_.empty()) {
         auto next = std::make_unique<StateStore>(width());
-        next->reserve(most_, {});  // it was full, and will be so again
+        next->reserve(most_, {});  // it was full, and will be full again
         unwritten_ = with_levels(0, static_cast<StateIndex>(store_->size()));
         levels_.clear();
         store_ = std::move(next);
@@ -64,7 +64,7 @@ void RowsAside::each_piece(const std::function<void(std::vector<Word>& rows)>& t
         rows = unwritten_;
         give();
     }
-    // What is sorted exists twice meanwhile.
+    // rows exist twice while they are sorted
     const auto size = static_cast<StateIndex>(store_->size());
     const StateIndex piece = std::max<StateIndex>(size / 2 + size % 2, 32);
     for (StateIndex first = 0; first < size; first += piece) {
@@ -73,7 +73,7 @@ void RowsAside::each_piece(const std::function<void(std::vector<Word>& rows)>& t
     }
 }
 
-/// Of the same row the one with the least level comes first.
+/// Among copies of a row, the one with the least level comes first.
 void RowsAside::each_of_runs(const std::function<void(std::vector<Word>& rows)>& take) const {
     const std::size_t words = width() + 1;
     const std::size_t full = most_ * words;

@@ -1,6 +1,6 @@
-// Rows that are decided about later, all at once ("delayed duplicate detection": Stern and Dill, Using magnetic disk
-// instead of main memory in the Murphi verifier, CAV 1998). Each has the level to which it belongs if it is no earlier
-// row. Where they are many they are sorted runs in a file.
+// Rows about which a decision is made later, for all at once ("delayed duplicate detection": Stern and Dill, Using
+// magnetic disk instead of main memory in the Murphi verifier, CAV 1998). Each has the level to which it belongs if it
+// is not a duplicate. If there are many, they are sorted runs in a file.
 #pragma once
 
 #include <functional>
@@ -15,22 +15,23 @@ namespace robochart::refine {
 
 class RowsAside {
 public:
-    /// In memory are as many rows as `bytes` hold, a few at least. While it is made, their file is at this path.
+    /// As many rows are in memory as fit into `bytes`, at least a few. While the file is being created, it has this
+    /// path.
     RowsAside(const std::string& path, const storage::RowKind& kind, std::uint64_t bytes);
 
-    /// Adds a row that belongs to `level`, if it is no earlier one. A row that is added again has no lesser level than
-    /// before. `hash`: lts::StateStore::hash(row). Throws storage::CannotWrite; the row is not added then, and all
-    /// others are still there.
+    /// Adds a row that belongs to `level` if it is not a duplicate. If a row is added again, its level must not be less
+    /// than before. `hash`: lts::StateStore::hash(row). Throws storage::CannotWrite; the row is then not added, and all
+    /// others are unchanged.
     void add(lts::StateView row, std::uint64_t hash, Level level);
     [[nodiscard]] bool empty() const { return rows() == 0; }
-    /// How many there are; one may be counted several times.
+    /// The number of rows; duplicates may count several times.
     [[nodiscard]] std::uint64_t rows() const { return store_->size() + unwritten() + runs_.rows(); }
     [[nodiscard]] bool on_disk() const { return !runs_.empty(); }
-    /// Gives all in pieces: ascending rows with their levels behind, a word more. No row is twice in a piece; where it
-    /// is in several, the first has the least of its levels. `take` may change the piece. Writes nothing. Throws what
-    /// `take` throws, and storage::BadFile.
+    /// Passes all rows in pieces: ascending rows followed by their levels as another word. A piece has no duplicates;
+    /// if a row is in several pieces, the first has the least of its levels. `take` may change the piece. Writes
+    /// nothing. Throws the exceptions of `take`, and storage::BadFile.
     void each_piece(const std::function<void(std::vector<lts::Word>& rows)>& take) const;
-    /// Forgets all.
+    /// Removes all rows.
     void clear();
     [[nodiscard]] std::uint64_t bytes() const;
 
@@ -41,11 +42,12 @@ private:
     void write();
     void each_of_runs(const std::function<void(std::vector<lts::Word>& rows)>& take) const;
 
-    std::uint64_t most_;                                     ///< rows in memory
-    std::unique_ptr<lts::StateStore> store_;                 ///< those added last
-    std::vector<std::pair<Level, lts::StateIndex>> levels_;  ///< a level, and the first row of the store that has it
-    std::vector<lts::Word> unwritten_;                       ///< others, with their levels, on their way into a run
-    storage::SortedRuns runs_;                               ///< the rest
+    std::uint64_t most_;                                     ///< maximal number of rows in memory
+    std::unique_ptr<lts::StateStore> store_;                 ///< the rows added last
+    std::vector<std::pair<Level, lts::StateIndex>> levels_;  ///< a level, and the first row of the store with this
+                                                             ///< level
+    std::vector<lts::Word> unwritten_;                       ///< further rows with their levels, to be written as a run
+    storage::SortedRuns runs_;                               ///< the other rows
 };
 
 }  // namespace robochart::refine

@@ -15,7 +15,7 @@ SavedRowStore::SavedRowStore(KeptWhere where)
     });
     std::sort(unsure.begin(), unsure.end());
     unsure.erase(std::unique(unsure.begin(), unsure.end()), unsure.end());
-    // What was unsure of a level is looked up when the levels before, and its own, are in memory.
+    // An unsure row of a level is looked up when the earlier levels and its own are in memory.
     auto next = unsure.begin();
     for (Level level = 0; level < kept_.files().levels(); ++level) {
         load_until(level + 1);
@@ -24,7 +24,7 @@ SavedRowStore::SavedRowStore(KeptWhere where)
     }
 }
 
-/// Levels before this one, from the files.
+/// Loads the levels before this one from the files.
 void SavedRowStore::load_until(Level level) {
     for (Level next = rows_->levels(); next < level; ++next) {
         kept_.files().each_block(next, [this](std::span<const lts::Word> rows) {
@@ -43,8 +43,8 @@ std::optional<Level> SavedRowStore::settle() {
     return late_.front().first;
 }
 
-/// The levels before are written if they have not been, and read again. Until that is done, the files have all that
-/// there was: a checkpoint in the midst of it is one of before.
+/// Earlier levels are written if necessary, and read again. Until that is done, the files contain everything, so that a
+/// checkpoint during the rollback is one from before it.
 void SavedRowStore::roll_back_to(Level level) {
     save_levels(true);
     auto rows = std::make_unique<MemoryRowStore>(width());
@@ -62,7 +62,7 @@ void SavedRowStore::roll_back_to(Level level) {
     for (const auto& [own, row] : late_)
         if (own == level) rows_->enter(row, StateStore::hash(row));
     kept_.files().forget_from(level);
-    late_.clear();  // the others are found again, in the levels that they belong to
+    late_.clear();  // the other rows are found again in the levels to which they belong
 }
 
 void SavedRowStore::save_levels(bool polled) {
@@ -76,7 +76,7 @@ void SavedRowStore::save_levels(bool polled) {
     }
 }
 
-/// Where there is no space for all levels, those before them are kept.
+/// If there is no space for all levels, as many of the first ones as possible are stored.
 void SavedRowStore::checkpoint() {
     std::vector<lts::Word> late;
     for (const auto& [level, row] : late_) {

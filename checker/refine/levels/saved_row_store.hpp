@@ -11,10 +11,10 @@ namespace robochart::refine {
 
 class SavedRowStore final : public RowStore {
 public:
-    /// Goes on from the newest checkpoint in the folder, if there is one. Throws storage::BadFile.
+    /// Continues from the newest checkpoint in the folder, if there is one. Throws storage::BadFile.
     explicit SavedRowStore(KeptWhere where);
 
-    /// While a search goes back, the files have more levels than memory.
+    /// During a rollback, the files contain more levels than memory.
     [[nodiscard]] Level levels() const override { return std::max(rows_->levels(), kept_.files().levels()); }
     [[nodiscard]] std::optional<std::uint64_t> rows_before() const override { return kept_.rows_before(); }
     [[nodiscard]] std::uint64_t rows(Level level) const override { return rows_->rows(level); }
@@ -38,7 +38,7 @@ private:
 
     KeptLevels kept_;
     std::unique_ptr<MemoryRowStore> rows_;
-    /// Rows that an earlier run, which had not all rows at hand, has missed, with their levels, which ascend.
+    /// Rows that an earlier run, which did not have all rows in memory, has missed, sorted by their levels.
     std::vector<std::pair<Level, std::vector<lts::Word>>> late_;
 };
 

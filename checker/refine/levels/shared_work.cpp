@@ -25,7 +25,7 @@ std::string words_of(const std::exception_ptr& error) {
 }
 
 Words packed(const std::string& text) {
-    Words words((text.size() + sizeof(lts::Word)) / sizeof(lts::Word), 0);  // ends with a null byte
+    Words words((text.size() + sizeof(lts::Word)) / sizeof(lts::Word), 0);  // terminated by a null byte
     std::memcpy(words.data(), text.data(), text.size());
     return words;
 }

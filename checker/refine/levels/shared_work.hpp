@@ -10,24 +10,24 @@
 
 namespace robochart::refine {
 
-/// Another rank has met an error, which is not this one's.
+/// Thrown if another rank has failed with an error.
 class RankFailed : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// A rank that meets a limit or an error goes on taking part in what the ranks exchange, without doing more, until all
-/// of them hear of it at their next sum.
+/// A rank that reaches a limit or fails continues to take part in the communication, without doing more work, until all
+/// ranks learn of it at their next sum.
 class SharedWork {
 public:
     explicit SharedWork(Exchange& exchange) : exchange_(exchange) {}
 
-    /// Does this rank's part of something, unless it has failed already; keeps what it throws.
+    /// Executes this rank's part of the work, unless it has failed already; stores its exception.
     void attempt(const std::function<void()>& part);
     [[nodiscard]] bool failed() const { return failure_ != nullptr; }
-    /// Exchange::sum. Where a rank has failed, all throw: that one what it has kept, the others LimitReached with its
-    /// words if that was a limit or memory that is not there, storage::BadFile with its words if it was that, and else
-    /// RankFailed. Where several have failed, the worst counts: an error before a bad file before a limit.
+    /// Exchange::sum. If a rank has failed, all throw: that rank its stored exception; the others LimitReached with its
+    /// message if that was a limit or a lack of memory, storage::BadFile with its message if it was that, and otherwise
+    /// RankFailed. If several have failed, the worst counts: an error before a bad file before a limit.
     void sum(std::span<std::uint64_t> values);
 
 private:
@@ -42,7 +42,7 @@ private:
     std::vector<std::uint64_t> values_;
 };
 
-/// Each rank does its part of something, which may be nothing, and goes on when all have. Where one cannot, all throw
+/// Each rank executes its part, which may be empty, and continues when all have finished. If one fails, all throw
 /// (SharedWork::sum).
 void together(Exchange& exchange, const std::function<void()>& part);
 

@@ -13,7 +13,7 @@ using lts::StateIndex;
 using lts::StateView;
 using process::Event;
 
-/// The rows that the taus of one row lead to.
+/// The rows to which the taus of one row lead.
 class TauElimination::Targets final : public lts::SuccessorSink {
 public:
     Targets(const OnRow& on_row, bool nodes) : on_row_(on_row), nodes_(nodes) {}
@@ -75,7 +75,7 @@ std::optional<TauCycle> TauElimination::least_cycle() {
     return cycle;
 }
 
-/// Rounds until no rank has a row waiting: the taus of rows that wait are sent to the ranks of their targets.
+/// Repeats rounds until no rank has a waiting row: the taus of waiting rows are sent to the ranks of their targets.
 void TauElimination::rounds(const Waiting& waiting, const OnRow& on_target) {
     constexpr std::size_t rows_a_round = std::size_t{1} << 16U;
     constexpr std::uint64_t most_waiting = std::uint64_t{1} << 22U;
@@ -101,7 +101,7 @@ void TauElimination::rounds(const Waiting& waiting, const OnRow& on_target) {
                 targets.begin(row);
                 system_.successors(state(row), targets);
             }
-            left[0] = done;  // perhaps more
+            left[0] = done;  // possibly more
         });
         batches_.exchange(exchange_);
         work_.attempt([&] {
@@ -116,7 +116,7 @@ void TauElimination::rounds(const Waiting& waiting, const OnRow& on_target) {
     } while (left[0] > 0);
 }
 
-/// What taus reach from the marks, each once, and how many taus lead to each.
+/// Finds the rows that taus reach from the marks, and counts the taus that lead to each.
 void TauElimination::follow() {
     work_.attempt([this] {
         const lts::StateStore& marks = store_.record().marks;
@@ -132,7 +132,7 @@ void TauElimination::follow() {
            });
 }
 
-/// Rows without a tau that leads to them, and those that are then without one.
+/// Removes rows to which no tau leads, and repeats this for rows that have lost their last one.
 void TauElimination::eliminate() {
     for (StateIndex row = 0; row < taus_to_.size(); ++row)
         if (taus_to_[row] == 0) dropped_.push_back(row);
@@ -156,7 +156,7 @@ std::uint64_t TauElimination::left_everywhere() {
     return left[0];
 }
 
-/// The rows left, each with its level in front; at other ranks than the first none.
+/// The remaining rows, each preceded by its level; empty at ranks other than the first.
 std::vector<Words> TauElimination::at_first_rank() {
     constexpr std::size_t rows_a_message = 1U << 14U;
     const std::size_t width = store_.width();
@@ -201,7 +201,7 @@ std::vector<Words> TauElimination::at_first_rank() {
     return all;
 }
 
-/// Numbered by level and words, so that the cycle is the same however the rows were spread.
+/// Numbered by level and words, so that the cycle does not depend on the distribution of the rows.
 TauCycle TauElimination::decide(std::vector<Words> rows) {
     std::sort(rows.begin(), rows.end());
     lts::StateStore store(store_.width());

@@ -1,7 +1,7 @@
-// Cycles of taus among the rows of all ranks. Every cycle has a marked row (SearchRecord::marks). From these, taus are
-// followed; rows that no tau of those left leads to are left out, again and again, until none is left or each has such
-// a tau: then there is a cycle (OWCTY without its fairness; Cerna and Pelanek, SPIN 2003; Barnat et al. 2009). What is
-// left is looked at by rank 0.
+// Cycles of taus among the rows of all ranks. Every cycle contains a marked row (SearchRecord::marks). Taus are
+// followed from these. Rows to which no remaining tau leads are removed repeatedly, until no row remains or every
+// remaining row has such a tau: then there is a cycle (OWCTY without its fairness; Cerna and Pelanek, SPIN 2003; Barnat
+// et al. 2009). Rank 0 examines the remaining rows.
 #pragma once
 
 #include <optional>
@@ -20,10 +20,10 @@ namespace robochart::refine {
 struct TauCycle {
     Words row;
     Level level = 0;
-    Run loop;  ///< a shortest one, back to the row's state
+    Run loop;  ///< a shortest cycle back to the row's state
 };
 
-/// One rank's part; collective.
+/// One rank's part; its functions are collective.
 class TauElimination {
 public:
     TauElimination(lts::TransitionSystem& system, RowStore& store, Exchange& exchange, Budget& budget, SharedWork& work,
@@ -53,7 +53,7 @@ private:
     const bool nodes_;
     RowBatches batches_;
     lts::StateStore reached_;
-    std::vector<std::uint32_t> taus_to_;  // by row reached, how many taus of rows that are left lead to it
+    std::vector<std::uint32_t> taus_to_;  // by reached row: the number of taus that lead to it from remaining rows
     std::vector<lts::StateIndex> dropped_;
 };
 

@@ -1,5 +1,5 @@
-// Everything is brought, all wait, everything is read, all wait again: nobody brings the next thing before all have
-// read. What concerns other programs is done by the first thread between the two waits.
+// All threads publish their data, wait at a barrier, read the others' data, and wait again, so that no thread publishes
+// the next data before all have read. The first thread communicates with other programs between the two barriers.
 #include "checker/refine/levels/thread_exchange.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@
 namespace robochart::refine {
 namespace {
 
-/// Where the threads of a program meet. Each has an exchange of its own; the meeting outlives them.
+/// The barrier of a program's threads. Each thread has its own exchange; the barrier outlives them.
 class Meeting {
 public:
     Meeting(Exchange& programs, unsigned threads)
@@ -32,9 +32,9 @@ public:
           sums_(threads),
           to_programs_(programs.ranks()),
           from_programs_(programs.ranks()) {}
-    /// The exchange of a thread, from 0 on.
+    /// The exchange of a thread, counted from 0.
     [[nodiscard]] std::unique_ptr<Exchange> exchange(unsigned thread);
-    /// All others that wait, or ever will, get RankLost.
+    /// All other threads that wait now or later throw RankLost.
     void leave();
 
 private:
@@ -52,14 +52,14 @@ private:
     std::condition_variable all_here_;
     unsigned here_ = 0;
     std::uint64_t turn_ = 0;
-    bool left_ = false;    // one has gone
-    bool unable_ = false;  // one has not done its part
-    // What each has brought; changed by its owner between two waits in which nobody reads it.
+    bool left_ = false;    // a thread has left
+    bool unable_ = false;  // a thread has failed
+    // Data published by each thread; written by its owner between barriers at which no one reads it.
     std::vector<const Messages*> out_;
     std::vector<const Words*> words_;
     std::vector<std::vector<std::uint64_t>> sums_;
-    // Of the first thread: changed in its part, and read by all until they meet again. A message to another program is,
-    // for each of its threads, how many words each thread here sends to it; then these words, in the same order.
+    // Written by thread 0 between barriers; read by all threads. A message to another program contains, for each of its
+    // threads, the number of words that each thread here sends to it; then these words, in the same order.
     Messages to_programs_, from_programs_;
     std::vector<std::uint64_t> sum_;
     std::vector<Words> all_words_;
@@ -123,7 +123,8 @@ private:
     void read_those_of_programs(Messages& in) const {
         const Messages& came = meeting_.from_programs_;
         const std::size_t threads = meeting_.threads_;
-        in.words.reserve(in.words.size() + came.words.size() / threads);  // about as much for each thread
+        // approximately the same number for each thread
+        in.words.reserve(in.words.size() + came.words.size() / threads);
         for (unsigned program = 0; program < came.sizes.size(); ++program) {
             if (program == meeting_.programs_.rank()) continue;
             unsigned from = first_rank(program);
@@ -155,7 +156,7 @@ std::unique_ptr<Exchange> Meeting::exchange(unsigned thread) {
     return std::make_unique<Member>(*this, thread);
 }
 
-/// `able`: whether this one can go on after it. Where one cannot, all others get RankLost.
+/// `able`: whether this thread can continue afterwards. If one cannot, all others throw RankLost.
 void Meeting::wait(bool able) {
     std::unique_lock lock(mutex_);
     if (!able) unable_ = true;
@@ -171,7 +172,7 @@ void Meeting::wait(bool able) {
     if (able && (unable_ || !all_came)) throw RankLost("another rank has ended");
 }
 
-/// All wait before, and after, also where one cannot do its part: others may still read what it has brought.
+/// All threads wait before and after, even if one has failed: others may still read its data.
 template <class Part>
 void Meeting::meet(const Part& part) {
     wait();
@@ -190,7 +191,7 @@ void Meeting::leave() {
     all_here_.notify_all();
 }
 
-/// Puts together what goes to each of the other programs, and gets what has come from them.
+/// Collects the data for each of the other programs, and receives theirs.
 void Meeting::exchange_rows() {
     const unsigned programs = programs_.ranks();
     if (programs == 1) return;
@@ -226,7 +227,7 @@ void Meeting::exchange_sums() {
     programs_.sum(sum_);
 }
 
-/// Of each program: how many words each thread gives, then these.
+/// For each program: the number of words of each thread, then these words.
 void Meeting::exchange_words() {
     Words own;
     for (const Words* const each : words_) own.push_back(static_cast<lts::Word>(each->size()));
@@ -258,7 +259,7 @@ public:
     Team& operator=(const Team&) = delete;
     ~Team() = default;
 
-    /// Starts all but the caller's.
+    /// Starts all threads except the caller's.
     void start() {
         try {
             others_.emplace(
@@ -269,7 +270,7 @@ public:
             throw diagnostics::LimitReached(fmt::format("program {}: {}", programs_.rank(), limit.what()));
         }
     }
-    /// The caller's part, then the end of all.
+    /// Executes the caller's part, then waits for the end of all.
     void finish() {
         be(0);
         others_->join();

@@ -1,4 +1,4 @@
-// Threads of a program as ranks, alone or beside those of other programs.
+// Threads of a program as ranks, alone or together with those of other programs.
 #pragma once
 
 #include <functional>
@@ -8,23 +8,24 @@
 
 namespace robochart::refine {
 
-/// Another rank has left a search in which it is needed.
+/// Thrown if another rank has left a search that needs it.
 class RankLost : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// Calls `work` in so many threads at once, the caller's among them as the first, and returns when all have ended. Each
-/// rank of `programs` is a program, and calls this with the same number of threads; the threads of program p are the
-/// ranks p * threads, p * threads + 1, ... of the exchange that `work` gets. What threads of one program send each
-/// other stays in its memory; all that they send to another program is one message. Only the caller's thread calls
+/// Calls `work` in this many threads, the caller's being the first, and returns when all have ended. Each rank of
+/// `programs` is a program, and calls this function with the same number of threads; the threads of program p are the
+/// ranks p * threads, p * threads + 1, ... of the exchange passed to `work`. Messages between threads of one program
+/// stay in its memory; all messages to another program are combined into one. Only the caller's thread calls
 /// `programs`.
 ///
-/// Throws what the first of the program's threads has thrown that met an error itself, or else has heard of another's
-/// (RankFailed), or else has lost another one. `programs` have left together if all these threads have. Throws
-/// LimitReached where a thread cannot be started; then all programs have left together.
+/// Throws the exception of the first of the program's threads that has failed itself; otherwise of the first that has
+/// learned of another's failure (RankFailed); otherwise of the first that has lost another one. `programs` have left
+/// together if all these threads have. Throws LimitReached if a thread cannot be started; then all programs have left
+/// together.
 void as_ranks(Exchange& programs, unsigned threads, const std::function<void(Exchange&)>& work);
-/// The same for one program alone.
+/// The same for a single program.
 void as_ranks(unsigned ranks, const std::function<void(Exchange&)>& work);
 
 }  // namespace robochart::refine

@@ -1,4 +1,4 @@
-// An exchange of a rank that is not ended by force while it waits for others.
+// An exchange whose rank is not killed while it waits for others.
 #pragma once
 
 #include <functional>
@@ -8,12 +8,12 @@
 
 namespace robochart::refine {
 
-/// Passes everything on to another exchange. While it waits there, it has what Limits::undisturbed gives; from when a
-/// limit has been reached meanwhile it has it as long as it lives: until all ranks have heard of the limit and written
-/// what they have found.
+/// Forwards everything to another exchange. While it waits there, it holds the object that Limits::undisturbed returns.
+/// If a limit has been reached meanwhile, it holds the object for the rest of its lifetime: until all ranks have
+/// learned of the limit and written their results.
 class UndisturbedExchange final : public Exchange {
 public:
-    /// `over`: whether a limit is reached. `real` outlives this.
+    /// `over`: whether a limit is reached. `real` must outlive the object.
     UndisturbedExchange(Exchange& real, std::function<std::shared_ptr<void>()> undisturbed, std::function<bool()> over)
         : real_(real), undisturbed_(std::move(undisturbed)), over_(std::move(over)) {}
 
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] bool left_together() const override { return real_.left_together(); }
 
 private:
-    /// While it lives the rank waits.
+    /// During its lifetime the rank waits.
     class Wait;
 
     Exchange& real_;

@@ -5,7 +5,7 @@
 namespace robochart::refine {
 namespace {
 
-/// Comparisons for one pair: beyond that it is searched rather than compared, which is never wrong.
+/// Maximal number of comparisons for one pair; after that the pair is searched, which is always correct.
 constexpr std::size_t most_compared = 64;
 
 }  // namespace

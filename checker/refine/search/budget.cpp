@@ -1,5 +1,5 @@
-// See budget.hpp. Memory is what the whole program has resident, because the states of the systems that are searched
-// are kept by them, not by the search.
+// See budget.hpp. Memory is the resident memory of the whole program, because the systems store the states that are
+// searched, not the search.
 #include "checker/refine/search/budget.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ Budget::Budget(const Limits& limits, Progress::Phase phase)
       resident_at_start_(diagnostics::resident_bytes()) {}
 
 void Budget::states(std::uint64_t count) const {
-    constexpr std::uint64_t most_numbers = 4'000'000'000;  // states have numbers of 32 bits, with a margin
+    constexpr std::uint64_t most_numbers = 4'000'000'000;  // states have numbers of 32 bits; this leaves a margin
     const std::uint64_t most = std::min(limits_.max_states, most_numbers);
     if (count > most)
         throw LimitReached(fmt::format("the limit of {} states was reached{}", most,

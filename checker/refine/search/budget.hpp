@@ -1,4 +1,4 @@
-// The bounds of one check, counted and polled while it runs.
+// The limits of one check, counted and polled while it runs.
 #pragma once
 
 #include <chrono>
@@ -12,12 +12,12 @@ namespace robochart::refine {
 
 using diagnostics::LimitReached;
 
-/// The run's budget, with a bound on states, charged by work done, and reporting progress.
+/// The run's budget, with a limit on states. It is charged by work done, and reports progress.
 class Budget {
 public:
     explicit Budget(const Limits& limits, Progress::Phase phase = Progress::Phase::searching);
 
-    /// One more piece of work about as large as expanding a state. Throws LimitReached.
+    /// Charges a unit of work, about as large as expanding a state. Throws LimitReached.
     void charge() {
         if ((work_++ & 1023U) == 0) poll();
     }
@@ -25,18 +25,18 @@ public:
         if (((work_ + pieces - 1) ^ (work_ - 1)) > 1023U) poll();
         work_ += pieces;
     }
-    /// Looks at the limits of the run now. Throws LimitReached.
+    /// Checks the limits of the run at once. Throws LimitReached.
     void check() { run_.check(); }
-    /// Looks now: whether a limit of the run is reached, or it is interrupted.
+    /// Checks at once whether a limit of the run is reached, or the run is interrupted.
     [[nodiscard]] bool over() { return !run_.reached().empty(); }
-    /// So many states are kept now. Throws LimitReached.
+    /// Sets the number of stored states. Throws LimitReached.
     void states(std::uint64_t count) const;
     [[nodiscard]] double seconds() const;
     [[nodiscard]] std::uint64_t work() const { return work_; }
     [[nodiscard]] const Limits& limits() const { return limits_; }
-    /// Fills in the figures when progress is reported; may be empty.
+    /// `source` fills in the statistics when progress is reported; may be empty.
     void report_by(std::function<void(Progress&)> source) { source_ = std::move(source); }
-    /// How many may work on the check, at least one.
+    /// The number of threads that may work on the check, at least one.
     [[nodiscard]] unsigned threads() const;
     [[nodiscard]] std::size_t wide_level() const { return limits_.wide_level; }
 

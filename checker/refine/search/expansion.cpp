@@ -75,7 +75,7 @@ void Expander::expand_into(lts::StateView words) {
     out_->pairs.push_back(pair_);
 }
 
-/// Nobody asks what an unstable state offers.
+/// The offers of unstable states are not used.
 void Expander::settle_offer() {
     process::EventSet& events = offer_.events;
     const bool unstable = offer_.tau && std::find(events.begin(), events.end(), process::tick) == events.end();
@@ -86,7 +86,7 @@ void Expander::settle_offer() {
     events.erase(end, events.end());
 }
 
-/// The monitor's answer, from memory if it is fresh.
+/// The monitor's answer, or the cached one if it is fresh.
 Monitor::Advance Expander::advance(Event event) {
     const std::size_t place = (node_ * 0x9E3779B1U ^ event * 0x85EBCA77U) >> 20U;
     Remembered& remembered = memory_[place];
@@ -101,7 +101,7 @@ void Expander::add(Event event, lts::StateView target, Event /*revealed*/) {
         offer_.tau = true;
         return add_row(node_, target, true);
     }
-    if (!nodes_) {  // that there is an event is all that matters
+    if (!nodes_) {  // the event itself does not matter
         if (offer_.events.empty()) offer_.events.push_back(event);
         if (!taus_alone_) add_row(node_, target, false);
         return;

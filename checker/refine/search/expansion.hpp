@@ -1,5 +1,5 @@
-// Successors of some pairs in a row, made before any of them is looked up: so that memory works on all look-ups at
-// once, and so that several threads can do it.
+// Successors of several consecutive pairs, computed before any of them is looked up: so that several look-ups access
+// memory at the same time, and several threads can compute them.
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@
 
 namespace robochart::refine {
 
-/// What pairs of one level have given. A row is a target: the monitor's node, if it has nodes, and the state.
+/// The results of expanding pairs of one level. A row is a target: the monitor's node, if it has nodes, and the state.
 class Expansion {
 public:
     struct Pair {
-        std::uint32_t end_row;  ///< its rows begin where those of the pair before end
+        std::uint32_t end_row;  ///< end of its rows, which begin at the end of the previous pair's
         std::uint32_t transitions;
-        std::uint64_t chased;  ///< states that its transitions were led on from
+        std::uint64_t chased;  ///< number of left-out states (lts::TransitionSystem::chased)
         std::optional<ViolationKind> fault;
-        std::optional<process::Event> forbidden;  ///< the first; there are no rows after it
+        std::optional<process::Event> forbidden;  ///< the first forbidden event; there are no rows after it
     };
 
     void clear(std::size_t width);
@@ -28,18 +28,18 @@ public:
     [[nodiscard]] lts::StateView row(std::size_t number) const { return {&words_[number * width_], width_}; }
     [[nodiscard]] std::uint64_t hash(std::size_t number) const { return hashes_[number]; }
     [[nodiscard]] bool by_tau(std::size_t number) const { return by_tau_[number] != 0; }
-    /// A new last row, to be filled.
+    /// Appends a row, to be filled in.
     std::span<lts::Word> add(bool by_tau);
     void set_hash(std::uint64_t hash) { hashes_[size_ - 1] = hash; }
     void shrink(std::size_t size) { size_ = size; }
 
-    /// Whether anything happened but rows.
+    /// Whether there is any result other than rows.
     [[nodiscard]] bool eventful() const;
-    /// Whether anything happened but rows and forbidden events.
+    /// Whether there is any result other than rows and forbidden events.
     [[nodiscard]] bool faulty() const;
 
     std::vector<Pair> pairs;
-    std::exception_ptr error;  ///< met by the pair after the last
+    std::exception_ptr error;  ///< thrown by the pair after the last
 
 private:
     std::size_t width_ = 0;
@@ -49,20 +49,20 @@ private:
     std::vector<std::uint8_t> by_tau_;
 };
 
-/// Rows that are made before they are looked at: few enough to stay in the cache.
+/// Number of rows that are computed before they are looked up: few enough to stay in the cache.
 inline constexpr std::size_t rows_at_once = 256;
 
-/// Makes expansions of pairs that are in the store.
+/// Expands pairs.
 class Expander final : private lts::SuccessorSink {
 public:
     Expander(lts::TransitionSystem& system, Monitor& monitor, const lts::StateStore& pairs);
 
-    /// From `first` on, until `end` is reached, there are enough rows, or a pair has met an error.
+    /// Expands from `first` on, until `end` is reached, there are enough rows, or a pair has failed with an error.
     void expand(lts::StateIndex first, lts::StateIndex end, std::size_t enough_rows, Expansion& out);
-    /// One more pair, by its words; `out` was cleared for rows of their number. Throws what the system throws, with the
-    /// pair's rows left out.
+    /// Expands one more pair, given by its words; `out` must have been cleared for rows of their number. Throws the
+    /// exceptions of the system, after removing the pair's rows.
     void expand(lts::StateView words, Expansion& out);
-    /// From now on events that are no taus are not followed.
+    /// From now on only taus are followed.
     void follow_taus_alone() { taus_alone_ = true; }
 
 private:
@@ -74,7 +74,7 @@ private:
 
     struct Remembered {
         Monitor::Node node = 0;
-        process::Event event = process::tau;  // tau: nothing yet
+        process::Event event = process::tau;  // tau: none yet
         Monitor::Advance advance{};
     };
     lts::TransitionSystem& system_;

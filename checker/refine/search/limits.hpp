@@ -1,4 +1,4 @@
-// The bounds of a check, and how far it has come.
+// The limits of a check, and its progress.
 #pragma once
 
 #include <cstddef>
@@ -13,58 +13,61 @@ namespace robochart::refine {
 
 class LevelStrategy;
 
-/// How far a check has come, for those who wait.
+/// The progress of a check, for users who wait.
 struct Progress {
     enum class Phase { compiling, searching };
     Phase phase = Phase::searching;
-    std::string part;                             ///< compiling: the component at work
-    std::uint64_t component = 0, components = 0;  ///< compiling: its number, and of how many; 0 if not known
-    std::uint64_t states = 0;                     ///< known so far
+    std::string part;                             ///< compiling: the current component
+    std::uint64_t component = 0, components = 0;  ///< compiling: its number, and the total number; 0 if unknown
+    std::uint64_t states = 0;                     ///< number of states found so far
     std::uint64_t transitions = 0;
-    std::uint64_t frontier = 0;  ///< searching: states that wait to be expanded
+    std::uint64_t frontier = 0;  ///< searching: number of states that wait to be expanded
     std::uint64_t depth = 0;
     std::uint64_t resident_bytes = 0;  ///< of the whole program
-    std::uint64_t grown_bytes = 0;     ///< of these, since the phase began
+    std::uint64_t grown_bytes = 0;     ///< increase of resident memory since the phase began
     double seconds = 0;                ///< since the phase began
 };
 
-/// Bounds of one check: those of the run, and its own. A bound reached gives Outcome::inconclusive, never a wrong
-/// answer.
+/// Limits of one check: those of the run, and its own. If a limit is reached, the result is Outcome::inconclusive,
+/// never a wrong answer.
 struct Limits : diagnostics::Limits {
     std::uint64_t max_states = 500'000'000;
-    unsigned threads = 0;  ///< at most so many, where a space is wide; 0: one a core. Verdicts do not depend on it
+    unsigned threads = 0;  ///< maximal number for wide state spaces; 0: one for each core. Verdicts do not depend on it
     std::size_t wide_level =
-        2048;  ///< levels of fewer states are done by one thread, as it is sooner done than others woken
-    /// Whether states that confluent taus lead on from are left out (docs/search.md). Verdicts do not depend on it.
+        2048;  ///< levels with fewer states are processed by one thread, because waking others takes longer
+    /// Whether states from which confluent taus lead on are left out (docs/search.md). Verdicts do not depend on it.
     bool reduction = false;
-    /// Searches go by levels, as this says (verdict/level_strategy.hpp); null: they do not. Verdicts do not depend on
-    /// it.
+    /// Strategy of searches by levels (verdict/level_strategy.hpp); null: other searches are used. Verdicts do not
+    /// depend on it.
     LevelStrategy* by_levels = nullptr;
-    /// While what it gives lives, a run that is to end is not ended by force; a thread may ask for it again meanwhile.
-    /// May be empty.
+    /// During the lifetime of the returned object, a run that is to end is not killed; a thread may call the function
+    /// again meanwhile. May be empty.
     std::function<std::shared_ptr<void>()> undisturbed;
     /// Called a few times a second, by the thread that called the check.
     std::function<void(const Progress&)> progress;
 };
 
-/// How large a search was.
+/// The size of a search.
 struct Statistics {
-    std::uint64_t states = 0;  ///< pairs (specification node, implementation state) or states visited
+    std::uint64_t states = 0;  ///< number of visited pairs (specification node, implementation state), or states
     std::uint64_t transitions = 0;
     std::uint64_t depth = 0;  ///< breadth-first level of the last state
-    /// Where a limit ended it: all runs of fewer steps were looked at, and none violates. 0: nothing of the kind is
-    /// known.
+    /// If a limit ended the search: all runs with fewer steps than this were examined, and none is a violation. 0:
+    /// unknown.
     std::uint64_t searched_steps = 0;
-    bool divergence_open = false;  ///< with searched_steps: these runs were not looked at for divergence
-    std::uint64_t spec_nodes = 0;  ///< normalised specification nodes made
+    bool divergence_open = false;  ///< with searched_steps: these runs were not examined for divergence
+    std::uint64_t spec_nodes = 0;  ///< number of normalised specification nodes
     double seconds = 0;
-    std::uint64_t chased = 0;    ///< states left out: a step of a transition led to each, and a confluent tau led on
-    std::uint64_t replicas = 0;  ///< the most equal components whose exchange gives no further state; 0: none
-    std::uint64_t distinguished = 0;  ///< equal components that the question distinguishes, so that it does
-    std::uint64_t ranks = 0;          ///< of a search by levels, in all programs; 0: it was another one
-    // Of a search whose rows are on disk, the greatest of all ranks.
-    std::uint64_t settled = 0;      ///< times that files were read through for rows put aside
-    std::uint64_t rolled_back = 0;  ///< times that the search went back
+    std::uint64_t chased = 0;    ///< number of left-out states: a step of a transition led to each, and a confluent tau
+                                 ///< led on
+    std::uint64_t replicas = 0;  ///< greatest number of equal components whose exchange leads to no further state; 0:
+                                 ///< none
+    std::uint64_t distinguished = 0;  ///< number of equal components that the assertion distinguishes, which prevents
+                                      ///< the reduction
+    std::uint64_t ranks = 0;          ///< number of ranks in all programs, for a search by levels; 0: another search
+    // For a search with rows on disk, the maximum over all ranks.
+    std::uint64_t settled = 0;      ///< number of passes through the files to settle rows put aside
+    std::uint64_t rolled_back = 0;  ///< number of times that the search rolled back
 };
 
 }  // namespace robochart::refine

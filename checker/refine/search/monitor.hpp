@@ -1,4 +1,4 @@
-// What a question watches along the runs of a system.
+// What a check observes along the runs of a system.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace robochart::refine {
 
-/// Nodes advance by visible events and tick; taus keep the node.
+/// Nodes advance by visible events and tick; taus do not change the node.
 class Monitor {
 public:
     using Node = lts::Word;
@@ -22,16 +22,16 @@ public:
 
     virtual ~Monitor() = default;
     virtual Node start() = 0;
-    /// The same answer every time.
+    /// Must return the same answer every time.
     virtual Advance advance(Node node, process::Event event) = 0;
-    /// What is wrong with a run that ends in this node and can go on like this. Of an unstable state the events come in
-    /// no order; a monitor that observes states only is given one event for all.
+    /// The fault of a run that ends in this node and can continue with this offer. For an unstable state, the events
+    /// are unsorted; a monitor that observes only states gets one event for all.
     virtual std::optional<ViolationKind> examine(Node node, const Offer& offer) = 0;
-    /// Every event keeps the one node: runs are not watched, only states are.
+    /// Whether there is a single node that every event keeps: only states are observed, not runs.
     [[nodiscard]] virtual bool watches_states_only() const { return false; }
-    /// Whether a violation after `larger` is one after `smaller` too, by the same run or a shorter one.
+    /// Whether every violation after `larger` is one after `smaller` too, by the same run or a shorter one.
     [[nodiscard]] virtual bool includes(Node /*larger*/, Node /*smaller*/) const { return false; }
-    /// A monitor that gives the same answers, for use in another thread at the same time; null if there is none.
+    /// A monitor with the same answers for use in another thread; null if there is none.
     [[nodiscard]] virtual std::unique_ptr<Monitor> another() { return nullptr; }
 };
 

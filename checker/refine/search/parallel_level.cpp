@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::size_t most_parts = 128;
 static_assert(most_parts * ProvisionalStates::most == lts::StateStore::most_claims);
-/// Fewer new states than this are not worth a call.
+/// With less space for new states than this, a call does not pay off.
 constexpr std::uint64_t min_space = 4096;
-/// So long at most before limits are looked at.
+/// The maximal time between checks of the limits.
 constexpr std::chrono::milliseconds longest{20};
 
 }  // namespace
 
-/// The claims of one part, as the store sees them.
+/// The claims of one part, in the form that the store needs.
 class ParallelLevel::Claiming {
 public:
     Claiming(std::vector<Part>& parts, std::size_t number) : parts_(parts), own_(parts[number]), number_(number) {}
@@ -65,7 +65,7 @@ void ParallelLevel::follow_taus_alone() {
     for (Member& member : members_) member.expander->follow_taus_alone();
 }
 
-/// Numbers from 0 on to whoever has time, as long as there has not been enough.
+/// Distributes the numbers from 0 on to idle threads, until there has been enough work for one call.
 void ParallelLevel::share(std::size_t count, const std::function<void(unsigned, std::size_t)>& work) {
     next_ = 0;
     enough_ = false;
@@ -168,7 +168,7 @@ bool ParallelLevel::enter(const Expansion& expansion, Part& part, std::size_t nu
     return true;
 }
 
-/// Enters the states that are new by the part's claims for good.
+/// Enters the states that are new according to the part's claims permanently.
 void ParallelLevel::publish(Part& part) {
     constexpr std::uint32_t ahead = 8;
     StateIndex number = part.first_number;

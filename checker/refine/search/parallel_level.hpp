@@ -1,10 +1,10 @@
-// A part of a wide level, expanded and entered by several threads, with the outcome of one. Its pairs are divided into
-// blocks. A thread expands pairs of a block, looks their targets up in the shared table while they are in its cache,
-// and gives new states provisional numbers, in the order of blocks and rows; of duplicates, the smallest provisional
-// number wins. Once all blocks are done, the new states of each are counted, which gives the first final number of each
-// block, and the final numbers are entered. So states have the same numbers and the same parents for any number of
-// threads. (Laarman, van de Pol and Weber, FMCAD 2010, share a table between threads in this way, but do not number
-// states.)
+// A part of a wide level, expanded and entered by several threads, with the same result as with one. Its pairs are
+// divided into blocks. A thread expands pairs of a block, looks up their targets in the shared table while they are in
+// its cache, and gives new states provisional numbers in the order of blocks and rows; among duplicates, the smallest
+// provisional number wins. When all blocks are done, the new states of each are counted, which gives the first final
+// number of each block, and the states are entered with their final numbers. So states have the same numbers and the
+// same parents for any number of threads. (Laarman, van de Pol and Weber, FMCAD 2010, share a table between threads in
+// this way, but do not number states.)
 #pragma once
 
 #include <atomic>
@@ -21,32 +21,33 @@ namespace robochart::refine {
 
 class ParallelLevel {
 public:
-    /// Null where system or monitor serve one thread only.
+    /// Null if the system or the monitor supports only one thread.
     static std::unique_ptr<ParallelLevel> make(const lts::TransitionSystem& system, Monitor& monitor,
                                                lts::StateStore& pairs, unsigned threads);
 
     enum class Work {
-        enter,            ///< targets are entered
-        enter_note_taus,  ///< and the targets of taus that do not lead forward are noted
-        examine           ///< the first forbidden event is known: only pairs themselves are still looked at
+        enter,            ///< enters targets
+        enter_note_taus,  ///< also records targets of taus that do not lead forward
+        examine           ///< the first forbidden event is known: only pairs themselves are still examined
     };
-    /// Does some pairs from `first` on, before `end`, and returns where it has stopped: that pair, or one soon after
-    /// it, is at fault or has met an error or something forbidden, or needs more space than is left, or there has been
-    /// enough for one call.
+    /// Processes some pairs from `first` on, before `end`, and returns where it has stopped. That pair, or one soon
+    /// after it, has a fault, an error or a forbidden event, or needs more space than is left, or there has been enough
+    /// work for one call.
     lts::StateIndex run(lts::StateIndex first, lts::StateIndex end, Work work);
-    /// Whether the last call stopped because a pair is not for it. One thread then does so many pairs, or to the end.
+    /// Whether the last call stopped at a pair that it cannot process. One thread then processes this many pairs, or
+    /// all up to the end.
     [[nodiscard]] bool stopped() const { return stopped_; }
     static constexpr lts::StateIndex pairs_at_once = 128;
-    /// From now on events that are no taus are not followed.
+    /// From now on only taus are followed.
     void follow_taus_alone();
 
-    /// What blocks of pairs have given, in order.
+    /// The results of blocks of pairs, in order.
     struct Block {
         lts::StateIndex first = 0;
         lts::StateIndex pairs = 0;
         std::uint64_t transitions = 0;
         std::uint64_t chased = 0;
-        ParentIndex found;                          ///< unless only examined
+        ParentIndex found;                          ///< empty if pairs are only examined
         std::vector<lts::StateIndex> back_targets;  ///< of taus
     };
     [[nodiscard]] std::size_t size() const { return size_; }
@@ -61,7 +62,7 @@ private:
     };
     struct Part : Block {
         ProvisionalStates claims;
-        alignas(64) std::atomic<std::uint32_t> lost = 0;  // counted by other threads: on a cache line of its own
+        alignas(64) std::atomic<std::uint32_t> lost = 0;  // written by other threads, so on its own cache line
         bool stopped = false;
         lts::StateIndex first_number = 0;
     };

@@ -22,7 +22,7 @@ void ParentIndex::begin_word() {
     words_.push_back(0);
 }
 
-/// The lowest `count` of the bits, at most a word of them; the others are zero.
+/// Appends the lowest `count` bits, at most a word; the other bits are zero.
 void ParentIndex::append(std::uint64_t bits, std::uint32_t count) {
     const auto shift = static_cast<std::uint32_t>(size_ % word_bits);
     if (shift == 0) begin_word();

@@ -1,6 +1,6 @@
-// The BFS parents of states as a succinct bit vector (rank/select), two bits a state. States are numbered in the order
-// of discovery and expanded in the same order, so it is enough to know how many each one found: a one for each state
-// found, a zero after each state expanded. The parent of a state is the number of zeros before its one.
+// The BFS parents of states as a succinct bit vector (rank/select), two bits for each state. States are numbered in the
+// order of discovery and expanded in the same order, so it suffices to store how many states each one found: a one for
+// each state found, a zero after each state expanded. The parent of a state is the number of zeros before its one.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@ namespace robochart::refine {
 
 class ParentIndex {
 public:
-    /// The next state has been expanded and has found so many new ones.
+    /// The next state has been expanded and has found this many new ones.
     void expanded(std::uint32_t found);
-    /// Appends what another has noted of the states that come next.
+    /// Appends the record of another index for the following states.
     void append(const ParentIndex& next);
     void clear();
-    /// Of any state that was found, that is, of all but state 0.
+    /// Defined for all states except state 0.
     [[nodiscard]] lts::StateIndex parent(lts::StateIndex state) const;
 
 private:
@@ -25,7 +25,7 @@ private:
     void begin_word();
 
     std::vector<std::uint64_t> words_;
-    std::vector<std::uint64_t> ones_before_;  // each block of words
+    std::vector<std::uint64_t> ones_before_;  // by block of words
     std::uint64_t size_ = 0;
     std::uint64_t ones_ = 0;
 };

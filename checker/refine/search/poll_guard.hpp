@@ -1,4 +1,4 @@
-// Long work inside systems counts against a check's budget.
+// Charges long work inside systems to a check's budget.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace robochart::refine {
 
-/// The systems poll the budget while this lives; both outlive it. Null pointers are left out.
+/// The systems poll the budget during its lifetime; systems and budget must outlive it. Null pointers are ignored.
 class PollGuard {
 public:
     PollGuard(std::vector<lts::TransitionSystem*> systems, Budget& budget) : systems_(std::move(systems)) {

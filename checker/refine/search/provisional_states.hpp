@@ -17,8 +17,8 @@ class ProvisionalStates {
 public:
     struct Claim {
         lts::IndexTable::Slot slot;
-        std::uint32_t pair = 0;  ///< by which it was met, counted from the block's first
-        bool lost = false;       ///< a lower claim has taken its place
+        std::uint32_t pair = 0;  ///< the pair that found it, counted from the block's first
+        bool lost = false;       ///< a lower claim has replaced it
     };
     static constexpr std::uint32_t most = std::uint32_t{1} << 20U;
 
@@ -35,7 +35,7 @@ public:
         const Place place = place_of(number);
         return chunks_[place.chunk].words.get() + place.offset * width_;
     }
-    /// Memory for so many more. False if they would be too many.
+    /// Allocates memory for this many more. False if there would be too many.
     bool make_space(std::size_t more) {
         if (size_ + more > most) return false;
         for (std::size_t chunk = 0; chunk <= place_of(static_cast<std::uint32_t>(size_ + more)).chunk; ++chunk) {
@@ -45,23 +45,23 @@ public:
         }
         return true;
     }
-    /// Keeps the state that the next claim will be for.
+    /// Stores the state of the next claim.
     void keep(lts::StateView state) {
         const Place place = place_of(size_);
         std::copy(state.begin(), state.end(), chunks_[place.chunk].words.get() + place.offset * width_);
         chunks_[place.chunk].claims[place.offset].lost = false;
     }
-    /// It has been made.
+    /// Called after the claim has been made.
     void add(const lts::IndexTable::Slot& slot, std::uint32_t pair) {
         Claim& claim = (*this)[size_++];
         claim.slot = slot;
         claim.pair = pair;
     }
-    /// By the thread that has taken its place.
+    /// Called by the thread whose claim has replaced it.
     void lose(std::uint32_t number) { std::atomic_ref((*this)[number].lost).store(true, std::memory_order_relaxed); }
 
 private:
-    // Chunk k holds first_chunk * 2^k claims.
+    // Chunk k contains first_chunk * 2^k claims.
     static constexpr std::size_t first_chunk = 256;
     struct Chunk {
         std::unique_ptr<Claim[]> claims;

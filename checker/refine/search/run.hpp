@@ -1,4 +1,4 @@
-// Runs of a system as exact states, from which counterexamples are made.
+// Runs of a system as exact states, from which counterexamples are built.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace robochart::refine {
 
-/// An event and the state that it leads to.
+/// An event and its target state.
 struct RunStep {
     process::Event event;
     process::Event revealed;

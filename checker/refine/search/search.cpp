@@ -1,5 +1,5 @@
-// The product search, level by level. Where divergence matters, taus that do not lead forward are noted; the cycle
-// search afterwards begins with them and makes all taus again.
+// The product search, level by level. If divergence matters, taus that do not lead forward are recorded; the cycle
+// search afterwards begins with them and computes all taus again.
 #include "checker/refine/search/search.hpp"
 
 #include <algorithm>
@@ -77,7 +77,7 @@ std::optional<Finding> Search::search_alone(StateIndex first, StateIndex end) {
     return std::nullopt;
 }
 
-/// Leaves out pairs that another of this level or before covers; but the first pair of each state gives its tau edges.
+/// Skips pairs that another pair of this level or before covers; but the first pair of each state adds its tau edges.
 std::optional<Finding> Search::search_antichain_level(StateIndex first, StateIndex end) {
     std::vector<bool> needed;
     for (StateIndex pair = first; pair != end; ++pair) {
@@ -97,7 +97,7 @@ std::optional<Finding> Search::search_antichain_level(StateIndex first, StateInd
     return std::nullopt;
 }
 
-/// Threads are started when the first wide level is met.
+/// Threads are started at the first wide level.
 bool Search::several_threads() {
     if (!wide_ && !one_thread_ && budget_.threads() > 1)
         wide_ = ParallelLevel::make(system_, monitor_, pairs_, budget_.threads());
@@ -120,7 +120,7 @@ std::optional<Finding> Search::search_wide_level(StateIndex first, StateIndex en
     return std::nullopt;
 }
 
-/// What `take` notes of the rows that it enters.
+/// Records what `take` records for the rows that it enters.
 void Search::note(const ParallelLevel::Block& block) {
     budget_.charge(block.pairs);
     expanded_ += block.pairs;
@@ -130,7 +130,7 @@ void Search::note(const ParallelLevel::Block& block) {
     for (const StateIndex target : block.back_targets) back_taus_.add(target);
 }
 
-/// Enters what the pairs from `first` on have given.
+/// Enters the results of the pairs from `first` on.
 std::optional<Finding> Search::take(const Expansion& expansion, StateIndex first) {
     std::size_t row = 0;
     for (const Expansion::Pair& pair : expansion.pairs) {
@@ -139,7 +139,7 @@ std::optional<Finding> Search::take(const Expansion& expansion, StateIndex first
         transitions_ += pair.transitions;
         chased_ += pair.chased;
         if (!forbidden_)
-            insert(expansion, first, row, pair.end_row);  // after it only this level's states are still examined
+            insert(expansion, first, row, pair.end_row);  // after it, only this level's states are examined
         row = pair.end_row;
         budget_.states(pairs_.size());
         if (pair.fault) return Finding{*pair.fault, first};
@@ -150,11 +150,11 @@ std::optional<Finding> Search::take(const Expansion& expansion, StateIndex first
     return std::nullopt;
 }
 
-/// The targets of one pair. Their lines in the table have been asked for; the states behind them are near, mostly:
-/// they have been found lately.
+/// The targets of one pair. Their lines in the table have been prefetched; their states are usually in the cache,
+/// because they have been found recently.
 void Search::insert(const Expansion& expansion, StateIndex pair, std::size_t first, std::size_t end) {
     const std::optional<StateIndex> vertex = note_taus_ ? tau_vertex(pair) : std::nullopt;
-    constexpr std::size_t between_counts = 4096;  // one pair may lead to any number
+    constexpr std::size_t between_counts = 4096;  // one pair may have any number of targets
     std::uint32_t found = 0;
     for (std::size_t i = first; i < end; ++i) {
         if ((i - first) % between_counts == between_counts - 1) budget_.states(pairs_.size());
@@ -165,7 +165,7 @@ void Search::insert(const Expansion& expansion, StateIndex pair, std::size_t fir
     parents_.expanded(found);
 }
 
-/// The number is the pair's, or with an antichain its state's: a state diverges whatever the node.
+/// Keyed by pair, or by state when antichains are used, because divergence does not depend on the specification node.
 lts::StateStore::Insertion Search::enter(StateView row, std::uint64_t hash) {
     if (!antichain_) return pairs_.insert(row, hash);
     const StateIndex state = antichain_->number(row.subspan(1));
@@ -174,7 +174,7 @@ lts::StateStore::Insertion Search::enter(StateView row, std::uint64_t hash) {
     return {state, true};
 }
 
-/// In the graph of taus: the pair, or with an antichain its state, if it is the state's first pair.
+/// The vertex in the graph of taus: the pair, or with an antichain its state, if this is the state's first pair.
 std::optional<StateIndex> Search::tau_vertex(StateIndex pair) {
     if (!antichain_) return pair;
     const StateIndex number = antichain_->number(state(pair));
@@ -210,7 +210,7 @@ private:
 
 }  // namespace
 
-/// The rows that taus lead to, asked for before any is looked up.
+/// The rows to which taus lead, prefetched before any is looked up.
 class Search::TauRows final : public lts::SuccessorSink {
 public:
     TauRows(const lts::StateStore& pairs, std::optional<Monitor::Node> node) : pairs_(pairs), node_(node) {}
@@ -230,7 +230,7 @@ private:
     std::optional<Monitor::Node> node_;
 };
 
-/// Every one of them is in the store, since the search has seen all.
+/// All of them are in the store, since the search has visited everything.
 void Search::tau_targets(StateIndex pair, std::vector<StateIndex>& targets) {
     budget_.charge();
     TauRows rows(pairs_, nodes_ ? std::optional(node(pair)) : std::nullopt);

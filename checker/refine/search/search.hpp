@@ -1,5 +1,5 @@
-// Breadth-first search of a system's states paired with the node of a monitor that watches its runs. States are
-// expanded in the order of their discovery, so the first finding has a shortest run, the same every time.
+// Breadth-first search of a system's states paired with the node of a monitor that observes its runs. States are
+// expanded in the order of discovery, so the first finding has a shortest run, the same every time.
 #pragma once
 
 #include <limits>
@@ -18,7 +18,7 @@
 
 namespace robochart::refine {
 
-/// A violation: the pair where the run ends, and for a forbidden event the event after it.
+/// A violation: the pair at the end of the run, and for a forbidden event the event after it.
 struct Finding {
     ViolationKind kind;
     lts::StateIndex pair;
@@ -27,9 +27,9 @@ struct Finding {
 
 class Search {
 public:
-    /// How pairs are kept apart: all, or those alone that no other covers (antichain.hpp).
+    /// Which pairs are stored: all, or only those that no other pair covers (antichain.hpp).
     enum class Pairs { all, antichain };
-    /// `note_taus`: cycles of taus will be asked for.
+    /// `note_taus`: first_tau_cycle will be called.
     Search(lts::TransitionSystem& system, Monitor& monitor, Budget& budget, bool note_taus = false,
            Pairs pairs = Pairs::all);
 
@@ -37,14 +37,14 @@ public:
     Search& operator=(const Search&) = delete;
     ~Search();
 
-    /// The first violation by length of run; among runs of one length a state's fault comes before a forbidden event.
-    /// None when all pairs have been seen. Throws LimitReached.
-    /// Pairs that are first reached by runs of `events_until` steps or more are followed by taus alone: enough for the
-    /// first pair on a cycle of taus, where it is known to be reached by so many steps.
+    /// The first violation by length of run; among runs of the same length, a state's fault comes before a forbidden
+    /// event. No value if all pairs have been visited. Throws LimitReached. For pairs that are first reached by runs of
+    /// `events_until` steps or more, only taus are followed. This suffices for the first pair on a cycle of taus, if it
+    /// is known to be reached by this many steps.
     std::optional<Finding> first_violation(std::uint64_t events_until = std::numeric_limits<std::uint64_t>::max());
     /// After a search without violation that noted taus: the first pair on a tau cycle.
     std::optional<lts::StateIndex> first_tau_cycle();
-    /// A shortest cycle of taus through the pair, as pairs; ends with the pair itself.
+    /// A shortest cycle of taus through the pair, as pairs; the last one is the pair itself.
     std::vector<lts::StateIndex> tau_cycle(lts::StateIndex pair);
 
     /// The run by which the pair was found.
@@ -53,7 +53,7 @@ public:
     [[nodiscard]] lts::StateView state(lts::StateIndex pair) const {
         return nodes_ ? pairs_[pair].subspan(1) : pairs_[pair];
     }
-    /// The run along these pairs, the first of which is where it starts.
+    /// The run along these pairs, which starts at the first one.
     [[nodiscard]] Run run_along(const std::vector<lts::StateIndex>& pairs, bool by_taus_alone = false);
 
     [[nodiscard]] std::uint64_t states() const { return pairs_.size(); }
@@ -85,7 +85,7 @@ private:
     lts::StateStore pairs_;
     ParentIndex parents_;
     bool note_taus_;
-    BackTargets back_taus_;  // all that a cycle of taus needs to have been seen
+    BackTargets back_taus_;  // the entrances of all cycles of taus
     std::uint64_t expanded_ = 0;
     std::uint64_t transitions_ = 0;
     std::uint64_t depth_ = 0;
@@ -97,8 +97,8 @@ private:
     std::unique_ptr<ParallelLevel> wide_;
     bool one_thread_ = false;
     bool taus_alone_ = false;
-    bool ahead_ = false;                // several pairs may be expanded before the first one's targets are known
-    std::optional<Finding> forbidden_;  // the first forbidden event, while its level is finished
+    bool ahead_ = false;                // several pairs may be expanded before the first one's targets are looked up
+    std::optional<Finding> forbidden_;  // the first forbidden event, stored until its level is finished
 };
 
 }  // namespace robochart::refine

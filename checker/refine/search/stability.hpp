@@ -1,6 +1,7 @@
-// What a state can refuse. Termination is autonomous in FDR's models (UCS 6.3, 9.2: P [] SKIP = P [> SKIP): a state is
-// stable if it has no tau and no tick; a state with tick behaves for refusals as if it could move to SKIP, whatever
-// else it offers, and so has the acceptance {✓}. After tick nothing is possible: Ω has the empty acceptance.
+// The refusals of a state. Termination is autonomous in FDR's models (UCS 6.3, 9.2: P [] SKIP = P [> SKIP): a state is
+// stable if it has no tau and no tick. For refusals, a state with tick behaves as if it could move to SKIP,
+// independently of its other offers, and so has the acceptance {✓}. After tick nothing is possible: Ω has the empty
+// acceptance.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 
 namespace robochart::refine {
 
-/// What one state can do. `events` are its visible events and tick, ascending, without repetitions.
+/// The transitions of one state. `events` are its visible events and tick, ascending, without duplicates.
 struct Offer {
     bool tau = false;
     process::EventSet events;
@@ -21,7 +22,7 @@ struct Offer {
     [[nodiscard]] bool nothing() const { return !tau && events.empty(); }
 };
 
-/// The least set that the state may insist on; none if it is unstable.
+/// The least set that the state may accept; no value if it is unstable.
 [[nodiscard]] inline std::optional<process::EventSet> acceptance(const Offer& offer) {
     if (offer.ticks()) return process::EventSet{process::tick};
     if (offer.tau) return std::nullopt;

@@ -1,4 +1,4 @@
-// What single states do, listed: for counterexamples and their replay, where nothing has to be fast.
+// Lists the transitions of single states: for counterexamples and their replay, where speed does not matter.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace robochart::refine {
 /// Every transition of the state, in the system's order.
 [[nodiscard]] std::vector<RunStep> steps_from(lts::TransitionSystem& system, lts::StateView state);
 [[nodiscard]] std::vector<RunStep> steps_from(lts::TransitionSystem& system, lts::StateView state, Budget& budget);
-/// What a state with these steps offers.
+/// The offer of a state with these steps.
 [[nodiscard]] Offer offer_of(const std::vector<RunStep>& steps);
 
 }  // namespace robochart::refine

@@ -10,8 +10,8 @@ using lts::StateIndex;
 
 namespace {
 
-/// Follows edges from the entrances and returns those entrances to which one of the edges met leads back. A cycle has
-/// such an edge, and its vertices are all met, so what is left out lies on none.
+/// Follows edges from the entrances and returns the entrances to which a visited edge leads back. A cycle contains such
+/// an edge and all its vertices are visited, so entrances that are left out are on no cycle.
 std::vector<StateIndex> entered_again(const GraphView& graph, const std::vector<StateIndex>& entrances) {
     std::vector<bool> met(graph.size, false);
     std::vector<StateIndex> waiting;
@@ -36,7 +36,7 @@ std::vector<StateIndex> entered_again(const GraphView& graph, const std::vector<
     return again.list();
 }
 
-/// The least vertex of a component with a cycle, among those that the entrances lead to.
+/// The least vertex of a component with a cycle, among those that the entrances reach.
 std::optional<StateIndex> least_in_cyclic_component(const GraphView& graph, const std::vector<StateIndex>& entrances) {
     StateIndex least = no_state;
     lts::strong_components(graph, entrances, [&](std::span<const StateIndex> members, bool cyclic) {
@@ -59,7 +59,7 @@ std::vector<StateIndex> BackTargets::list() const {
     return list;
 }
 
-/// First entrances are left out as long as that is worth its while: most systems without divergence have none left.
+/// Entrances are eliminated first as long as this pays off: most systems without divergence have none left.
 std::optional<StateIndex> least_on_cycle(const GraphView& graph, std::vector<StateIndex> entrances) {
     for (std::size_t before = 0; !entrances.empty();) {
         before = entrances.size();

@@ -1,4 +1,4 @@
-// Cycles in a graph whose edges are made as they are asked for: linear, whatever the graph's shape.
+// Cycles in a graph whose edges are computed on demand: in linear time for graphs of all shapes.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@ namespace robochart::refine {
 
 using lts::GraphView;
 
-/// The vertices to which an edge leads that does not lead forward, from a lower number to a higher: every cycle has
-/// one.
+/// The targets of edges that do not lead forward, from a lower number to a higher one; every cycle contains such an
+/// edge.
 class BackTargets {
 public:
     void note(lts::StateIndex from, lts::StateIndex to) {
@@ -25,11 +25,12 @@ private:
     std::vector<bool> marked_;
 };
 
-/// The least vertex that lies on a cycle (a self-loop is one). `entrances`: the targets of edges that do not lead
-/// forward, all of them, ascending; pairs that no such edge leads to, directly or indirectly, are skipped.
+/// The least vertex on a cycle (including self-loops). `entrances`: all targets of edges that do not lead forward,
+/// ascending; vertices that these do not reach are skipped.
 [[nodiscard]] std::optional<lts::StateIndex> least_on_cycle(const GraphView& graph,
                                                             std::vector<lts::StateIndex> entrances);
-/// A shortest cycle through the vertex: the vertices after it, ending with itself. Empty if there is none.
+/// A shortest cycle through the vertex: the vertices after it; the last one is the vertex itself. Empty if there is
+/// none.
 [[nodiscard]] std::vector<lts::StateIndex> shortest_cycle(const GraphView& graph, lts::StateIndex through);
 
 }  // namespace robochart::refine

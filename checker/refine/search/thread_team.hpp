@@ -1,5 +1,5 @@
-// Threads that do one piece of work together, again and again. In between they look out for the next one for a moment,
-// since being woken takes longer, then sleep.
+// Threads that repeatedly execute one piece of work together. In between they poll for the next piece for a moment,
+// since waking a thread takes longer, then sleep.
 #pragma once
 
 #include <atomic>
@@ -13,14 +13,14 @@ namespace robochart::refine {
 
 class ThreadTeam {
 public:
-    /// `size` counts the caller's thread too. Throws LimitReached where a thread cannot be started.
+    /// `size` includes the caller's thread. Throws LimitReached if a thread cannot be started.
     explicit ThreadTeam(unsigned size);
     ThreadTeam(const ThreadTeam&) = delete;
     ThreadTeam& operator=(const ThreadTeam&) = delete;
 
     [[nodiscard]] unsigned size() const { return helpers_.size(); }
-    /// Calls `work` with every member's number, 0 by the caller itself, and returns when all have come back. What one
-    /// member has written before is seen by all after. Throws what the first member that throws has thrown.
+    /// Calls `work` with every member's number, 0 by the caller itself, and returns when all have returned. Earlier
+    /// writes of a member are visible to all afterwards. Throws the exception of the first member that throws.
     void run(const std::function<void(unsigned member)>& work);
 
 private:
@@ -33,7 +33,7 @@ private:
     std::atomic<unsigned> busy_ = 0;
     std::atomic<bool> over_ = false;
     std::mutex mutex_;
-    std::exception_ptr error_;  ///< of this round; under mutex_
+    std::exception_ptr error_;  ///< of this round; guarded by mutex_
     diagnostics::Threads helpers_;
 };
 

@@ -1,17 +1,17 @@
-// What can be wrong with a run.
+// The kinds of faults of a run.
 #pragma once
 
 namespace robochart::refine {
 
-/// What is wrong at the end of a run.
+/// The fault at the end of a run.
 enum class ViolationKind {
-    trace,           ///< the last step's event is not allowed by the specification
-    refusal,         ///< the reached stable state offers too little
-    divergence,      ///< the reached state can do taus for ever (loop), where the specification may not
-    deadlock,        ///< nothing is possible in the reached state
+    trace,           ///< the specification does not allow the last step's event
+    refusal,         ///< the stable state reached offers too little
+    divergence,      ///< the state reached can perform taus forever (loop), and the specification must not diverge
+    deadlock,        ///< nothing is possible in the state reached
     nondeterminism,  ///< after the trace, `event` may be both accepted and refused
-    no_return,       ///< from the reached state on none of the events that were asked for can happen
-    no_trace,        ///< has trace: the process cannot perform it; steps hold the longest possible prefix
+    no_return,       ///< from the state reached, none of the given events can happen any more
+    no_trace,        ///< has trace: the process cannot perform it; steps contain the longest possible prefix
 };
 
 }  // namespace robochart::refine

@@ -1,4 +1,4 @@
-// The questions of check.hpp, each as a search with its monitor; determinism and `has trace` have files of their own.
+// The checks of check.hpp, each as a search with its monitor; determinism and `has trace` have separate files.
 #include "checker/refine/verdict/check.hpp"
 
 #include <fmt/format.h>
@@ -100,8 +100,8 @@ Counterexample violation_counterexample(NormalForm& normal, const Confirmed& con
     return counterexample;
 }
 
-/// A refinement as a question for a search by levels; none where there is no such search, or the normal form is not
-/// known in whole: it is too large, or some of it that the search may never meet cannot be evaluated.
+/// A refinement as a query for a search by levels. No value if there is no such search, or the normal form cannot be
+/// completed: it is too large, or a part that the search may never reach cannot be evaluated.
 std::optional<LevelQuestion> refinement_by_levels(NormalForm& normal, Model model, Search::Pairs pairs,
                                                   const Budget& budget) {
     if (budget.limits().by_levels == nullptr || pairs == Search::Pairs::antichain) return std::nullopt;
@@ -117,7 +117,8 @@ std::optional<LevelQuestion> refinement_by_levels(NormalForm& normal, Model mode
     }
 }
 
-/// What the search finds first; where it is ended before, how far it has looked, if `levels_count`.
+/// The first fault that the search finds; if the search is ended before, records how far it has searched, if
+/// `levels_count`.
 std::optional<Finding> first_fault(Search& search, const Violation* known, bool levels_count, bool with_divergence,
                                    Statistics& statistics) {
     try {
@@ -129,13 +130,14 @@ std::optional<Finding> first_fault(Search& search, const Violation* known, bool 
     }
 }
 
-/// Every process refines one that diverges at once; that this is a process is seen by its first step.
+/// Every process refines one that diverges at once; only the implementation's first step is computed, which detects
+/// evaluation errors.
 std::optional<Violation> refined_by(lts::TransitionSystem& implementation, Budget& budget) {
     (void)steps_from(implementation, initial_of(implementation), budget);
     return std::nullopt;
 }
 
-/// The first fault of the implementation's runs against the normal form.
+/// The first fault of the implementation's runs with respect to the normal form.
 std::optional<Violation> search_refinement(NormalForm& normal, lts::TransitionSystem& implementation, Model model,
                                            Search::Pairs pairs, Budget& budget, Statistics& statistics,
                                            const Violation* known) {
@@ -155,7 +157,7 @@ std::optional<Violation> search_refinement(NormalForm& normal, lts::TransitionSy
     const Tally tally(search, statistics, &normal);
     if (with_divergence && normal.diverges(normal.initial())) return refined_by(implementation, budget);
     const bool levels_count =
-        pairs == Search::Pairs::all;  // in an antichain a pair stands for others that may be nearer
+        pairs == Search::Pairs::all;  // in an antichain a pair represents others that may be nearer
     if (const std::optional<Finding> finding = first_fault(search, known, levels_count, with_divergence, statistics))
         return violation_of(search, implementation, *finding);
     return with_divergence ? first_divergence(search) : std::nullopt;

@@ -1,5 +1,5 @@
-// The questions: refinement in traces, failures, failures-divergences; deadlock, divergence, determinism,
-// traces; and their answers. Roscoe, Understanding Concurrent Systems (2010), chapters 10, 11, 16; FDR manual.
+// Checks: refinement in traces, failures, failures-divergences; deadlock, divergence, determinism, traces. Roscoe,
+// Understanding Concurrent Systems (2010), chapters 10, 11, 16; FDR manual.
 #pragma once
 
 #include <optional>
@@ -10,20 +10,21 @@
 
 namespace robochart::refine {
 
-/// What an earlier search of the same systems has found, which is then taken for this one's: a violation is confirmed
-/// and reported as if it had been found now. Empty: takes what this search finds, if it comes to an end. Null: neither.
+/// The result of an earlier search of the same systems, used instead of a search: a violation is confirmed and reported
+/// as if it had been found now. Empty: receives the result of this search, if it comes to an end. Null: neither.
 using Earlier = std::optional<Findings>*;
 
-/// specification [M= implementation. The two share one EventTable.
+/// specification [M= implementation. Both must share one EventTable.
 [[nodiscard]] Verdict refines(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model,
                               const Limits&, Earlier earlier = nullptr);
-/// :[deadlock free [M]]. M is failures (divergence ignored) or failures_divergences (a divergence fails it).
-/// A terminated process counts as deadlocked, as FDR has it.
+/// :[deadlock free [M]]. M is failures (divergence is ignored) or failures_divergences (a divergence violates it). A
+/// terminated process counts as deadlocked, as in FDR.
 [[nodiscard]] Verdict deadlock_free(lts::TransitionSystem&, Model, const Limits&, Earlier earlier = nullptr);
 [[nodiscard]] Verdict divergence_free(lts::TransitionSystem&, const Limits&, Earlier earlier = nullptr);
 [[nodiscard]] Verdict deterministic(lts::TransitionSystem&, Model, const Limits&, Earlier earlier = nullptr);
-/// :[has trace [M]]: the process can perform these visible events in order. In the other models than T inconclusive
-/// where it could also refuse one of them, or in FD diverge, since the manual does not define these cases.
+/// :[has trace [M]]: the process can perform these visible events in order. In models other than T the result is
+/// inconclusive if the process could also refuse one of them, or in FD diverge, since the manual does not define these
+/// cases.
 [[nodiscard]] Verdict has_trace(lts::TransitionSystem&, const std::vector<process::Event>& trace, Model, const Limits&);
 
 }  // namespace robochart::refine

@@ -1,4 +1,4 @@
-// States as people read them, and what the last one offers.
+// Describes states for readers, and the offer of the last one.
 #include "checker/refine/verdict/counterexample.hpp"
 
 #include "checker/refine/search/steps.hpp"

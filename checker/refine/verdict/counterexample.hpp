@@ -1,4 +1,4 @@
-// Counterexamples from runs.
+// Builds counterexamples from runs.
 #pragma once
 
 #include "checker/refine/verdict/reference.hpp"
@@ -6,9 +6,9 @@
 
 namespace robochart::refine {
 
-/// The violation with its states described; `required` is left to the caller.
+/// The violation with descriptions of its states; the caller fills in `required`.
 [[nodiscard]] Counterexample tell(const Confirmed& confirmed);
-/// Nondeterminism: the run that accepts what the counterexample's refuses.
+/// Nondeterminism: adds the run that accepts the event that the counterexample's run refuses.
 void tell_accepting(const Confirmed& accepting, Counterexample& counterexample);
 
 }  // namespace robochart::refine

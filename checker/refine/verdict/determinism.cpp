@@ -1,13 +1,14 @@
-// Determinism after its definition (UCS 10.5): P is deterministic if it is divergence free [FD only] and there are no
+// Determinism by its definition (UCS 10.5): P is deterministic if it is divergence free [FD only] and there are no
 // trace s and event a such that s^<a> is a trace of P and P can refuse {a} after s. Decided in up to three steps:
-//   * where every state that is met has neither a tau nor two transitions by one event, P is deterministic;
-//   * else by FDR's method (Lazic's; UCS 10.5 and 20): P' resolves every choice of P by the first transition, so P' is
-//     a deterministic process whose nodes are single states of P, and P is deterministic iff P refines P'. For let s be
-//     a shortest trace after which P both accepts and refuses an event; up to there all stable states agree, so P' has
-//     a stable state after s, which another state of P after s contradicts, by an event too many or one too few;
-//   * in F, where the resolution runs into a divergence: on the normal form, every acceptance of every node contains
-//   all
-//     that the node can perform. A divergent state simply contributes no acceptance.
+//   * if no visited state has a tau or two transitions with the same event, P is deterministic;
+//   * otherwise by FDR's method (Lazic's; UCS 10.5 and 20): P' resolves every choice of P by the first transition, so
+//   P'
+//     is a deterministic process whose nodes are single states of P, and P is deterministic iff P refines P'. For let s
+//     be a shortest trace after which P both accepts and refuses an event. Before the end of s all stable states agree,
+//     so P' has a stable state after s, which another state of P after s contradicts, by an event too many or one too
+//     few;
+//   * in F, if the resolution runs into a divergence: on the normal form, every acceptance of every node contains all
+//     events that the node can perform. A divergent state contributes no acceptance.
 #include <algorithm>
 #include <stdexcept>
 
@@ -30,7 +31,7 @@ struct Ambiguity {
     Event event;
 };
 
-/// An event that is possible here, yet missing in some acceptance.
+/// An event that is possible here and missing in some acceptance.
 std::optional<Event> refusable(NormalForm& normal, NormalForm::Node node) {
     const EventSet initials = normal.initials(node);
     for (const EventSet& accepted : normal.acceptances(node))
@@ -45,7 +46,7 @@ std::optional<Ambiguity> first_ambiguity(NormalForm& normal) {
         Event event;
     };
     std::vector<Arrival> arrivals{
-        {0, process::tau}};  // per node, how it was first reached; nodes are numbered in that order
+        {0, process::tau}};  // by node: how it was first reached; nodes are numbered in that order
     normal.initial();
     for (NormalForm::Node node = 0; node < arrivals.size(); ++node) {
         if (const std::optional<Event> event = refusable(normal, node)) {
@@ -85,7 +86,7 @@ std::optional<Violation> divergence_of(lts::TransitionSystem& system, Budget& bu
     return first_divergence(search);
 }
 
-/// Nodes are counted and reported while they are made, also if a limit ends it.
+/// Counts and reports nodes while they are created, also if a limit ends the normalisation.
 class Normalising {
 public:
     Normalising(const NormalForm& normal, Budget& budget, Statistics& statistics)
@@ -118,7 +119,7 @@ bool leaves_no_choice(lts::TransitionSystem& system, Budget& budget, Statistics&
     return !search.first_violation();
 }
 
-/// The resolution met taus without end.
+/// Thrown if the resolution finds endless taus.
 class Unresolved : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -169,7 +170,7 @@ private:
     std::vector<lts::StateIndex> settled_;
 };
 
-/// Where P does what P' does not, or refuses what P' does.
+/// Finds where P performs an event that P' does not, or refuses one that P' performs.
 std::optional<Ambiguity> against_resolution(lts::TransitionSystem& system, Budget& budget, Statistics& statistics) {
     Resolution resolution(system, budget);
     Search search(system, resolution, budget);
@@ -210,7 +211,7 @@ std::optional<Violation> search_choice(lts::TransitionSystem& system, Model mode
     return violation;
 }
 
-/// The verdict does without it where a limit ends the search for it.
+/// If a limit ends the search for it, the verdict is given without it.
 void add_accepting_run(lts::TransitionSystem& system, const Violation& refusing, Budget& budget,
                        Counterexample& counterexample) {
     std::vector<Event> trace = refusing.run.trace();
@@ -232,7 +233,7 @@ void decide_determinism(lts::TransitionSystem& system, Model model, Budget& budg
         [&](lts::TransitionSystem& searched, Budget& own, Statistics& size, const Violation* known) {
             return search_choice(searched, model, own, size, known);
         },
-        // The resolution of a state and that of its image take different choices.
+        // The resolutions of a state and of its image make different choices.
         [](const lts::EventPermutation&) { return false; }};
     const std::optional<Violation> violation =
         found(earlier, verdict, [&] { return search_reduced(system, budget, verdict.statistics, question); });

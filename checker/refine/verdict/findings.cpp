@@ -1,4 +1,4 @@
-// Numbers of 64 bits, one after the other, lists with their length in front.
+// Numbers of 64 bits in sequence; lists are preceded by their length.
 #include "checker/refine/verdict/findings.hpp"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ private:
     std::string bytes_;
 };
 
-/// The bytes are no findings.
+/// The bytes are malformed.
 struct Damaged {};
 
 class Decoder {

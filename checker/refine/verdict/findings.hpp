@@ -1,4 +1,4 @@
-// What a search has found, before it is confirmed and reported; as text, so that another run can take it up.
+// The result of a search, before it is confirmed and reported; as bytes, so that another run can use it.
 #pragma once
 
 #include <optional>
@@ -11,24 +11,25 @@
 
 namespace robochart::refine {
 
-/// What the search claims to have found.
+/// The violation that the search claims to have found.
 struct Violation {
     ViolationKind kind = ViolationKind::trace;
     Run run;
     Run loop;                             ///< divergence: taus from the run's last state back to it
     std::optional<process::Event> event;  ///< nondeterminism: the event that is both accepted and refused
-    bool shortest = true;                 ///< else a limit has ended the search for a shorter run
+    bool shortest = true;                 ///< false if a limit has ended the search for a shorter run
 };
 
-/// What a search that came to an end has found. Equal systems give equal findings.
+/// The result of a search that came to an end. Equal systems have equal findings.
 struct Findings {
     Statistics statistics;
     std::optional<Violation> violation;
 };
 
-/// The findings as bytes. Events are written as their places in `named`, which is ascending and has all of them.
+/// The findings as bytes. Events are written as their indices in `named`, which must be ascending and contain all of
+/// them.
 [[nodiscard]] std::string encode(const Findings&, const process::EventSet& named);
-/// The findings again; none where the bytes are no findings with these events and states of `width` words.
+/// Decodes findings; no value if the bytes are not findings with these events and states of `width` words.
 [[nodiscard]] std::optional<Findings> decode(std::string_view bytes, const process::EventSet& named, std::size_t width);
 
 }  // namespace robochart::refine

@@ -34,7 +34,7 @@ bool Indifference::to(const lts::EventPermutation& exchange) {
     return whole_;
 }
 
-/// Nodes are numbered in the order in which they are met.
+/// Nodes are numbered in the order of their discovery.
 bool Indifference::visit() {
     try {
         normal_->initial();

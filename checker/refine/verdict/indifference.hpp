@@ -9,15 +9,16 @@
 
 namespace robochart::refine {
 
-/// Looks at the whole normal form, once, when it is first asked.
+/// Visits the whole normal form once, on first use.
 class Indifference {
 public:
     Indifference(lts::TransitionSystem& specification, Model model, Budget& budget)
         : specification_(specification), model_(model), budget_(budget) {}
 
-    /// Whether exchanged events lead from each node of the normal form to one node and, but in the traces model, each
-    /// node has with every acceptance its image. Then a state of an implementation violates a node iff its images do.
-    /// False also where there are more than 10,000 nodes, or an error of evaluation, which the search may never meet.
+    /// Whether exchanged events lead from each node of the normal form to the same node and, except in the traces
+    /// model, each node has with every acceptance its image. Then a state of an implementation violates a node iff its
+    /// images do. Also false if there are more than 10,000 nodes, or for an evaluation error, which the search may
+    /// never reach.
     bool to(const lts::EventPermutation& exchange);
 
 private:

@@ -50,7 +50,7 @@ std::string hex(const std::string& text) {
     throw storage::BadFile(fmt::format("{}: {}", diagnostics::shown(path), why));
 }
 
-/// A text in one line, of a long one its beginning.
+/// A text in one line, truncated if it is long.
 std::string one_line(std::string text) {
     constexpr std::size_t longest = 2000;
     if (text.size() > longest) text.resize(longest);
@@ -59,14 +59,14 @@ std::string one_line(std::string text) {
     return text;
 }
 
-/// The name of a search that is removed, as remove_searches gives it.
+/// Whether it is the name of a search that is being removed, as given by remove_searches.
 bool is_finished(const std::string& name) {
     constexpr std::string_view prefix = "finished-search-";
     return name.size() == prefix.size() + search_digits && name.starts_with(prefix) &&
            name.find_first_not_of("0123456789abcdef", prefix.size()) == std::string::npos;
 }
 
-/// Another one each time.
+/// A different text each time.
 std::string unforeseeable() {
     std::random_device source;
     std::string text;
@@ -74,7 +74,7 @@ std::string unforeseeable() {
     return text;
 }
 
-/// What a run leaves that was killed while it wrote.
+/// Whether it was left by a run that was killed while it wrote.
 bool is_unfinished(const fs::directory_entry& entry) {
     std::error_code ignored;
     return diagnostics::is_unfinished(entry.path().filename().string()) &&
@@ -91,11 +91,11 @@ KeptSearch::KeptSearch(KeptSettings settings, LevelStrategy& ranks) : settings_(
     look_at_folder();
     if (settings_.resume) read_questions();
     remove_left_over();
-    if (!settings_.resume) write_questions();  // from then on the folder is known as one of this program
+    if (!settings_.resume) write_questions();  // from then on the folder is recognised as one of this program
     answers_.emplace(path("answers"), settings_.program, std::uint64_t{512} << 20U);
 }
 
-/// A folder that this run must not use gets no file.
+/// No file is created in a folder that this run must not use.
 void KeptSearch::lock_folder() {
     std::error_code made, ignored;
     if (!settings_.resume) fs::create_directories(settings_.folder, made);
@@ -112,7 +112,7 @@ void KeptSearch::lock_folder() {
         refuse(settings_.folder, why);
 }
 
-/// Refuses it where this run must not use it.
+/// Rejects the folder if this run must not use it.
 void KeptSearch::look_at_folder() const {
     std::error_code code;
     const bool there = fs::exists(path(questions_name), code);
@@ -128,17 +128,17 @@ void KeptSearch::look_at_folder() const {
     if (code) refuse(settings_.folder, code.message());
 }
 
-/// The lock goes first: where a file of another machine is removed while it is open, something else stays there.
+/// The lock is removed first: removing a file that another machine has open leaves another file in the folder.
 void KeptSearch::remove_folder() {
     std::error_code ignored;
     fs::remove_all(path("answers"), ignored);
     fs::remove(path(questions_name), ignored);
     fs::remove(path(lock_name), ignored);
     lock_ = diagnostics::Descriptor();
-    fs::remove(settings_.folder, ignored);  // if nothing else is in it
+    fs::remove(settings_.folder, ignored);  // if it is empty
 }
 
-/// What is left is needed to go on, unless nothing was ever asked.
+/// Remaining files are needed to continue, unless no assertion was ever begun.
 KeptSearch::~KeptSearch() {
     if (!asked_.empty() || !earlier_.empty() || !answers_) return;
     remove_folder();
@@ -182,7 +182,7 @@ void KeptSearch::read_questions() {
 
 void KeptSearch::write_questions() const {
     std::string text = fmt::format("{}\n{}\n", title, hex(settings_.program));
-    // Those of this run, and behind them those that it has not asked yet.
+    // The assertions of this run, followed by those that it has not reached yet.
     std::vector<Asked> all = asked_;
     if (earlier_.size() > all.size())
         all.insert(all.end(), earlier_.begin() + static_cast<std::ptrdiff_t>(all.size()), earlier_.end());
@@ -196,7 +196,7 @@ void KeptSearch::refuse_question(std::size_t place, const std::string& instead) 
                                          diagnostics::shown(earlier_[place].text), instead));
 }
 
-/// As long as a question is not identified, it has the digest of its text.
+/// Until an assertion is identified, the digest of its text is used.
 void KeptSearch::begin_question(const std::string& text) {
     Asked asked{hex(digest_of(text)), one_line(text)};
     const std::size_t place = asked_.size();
@@ -209,7 +209,7 @@ void KeptSearch::begin_question(const std::string& text) {
     if (asked_.size() > earlier_.size()) write_questions();
 }
 
-/// An earlier run may have been ended before it had identified the question.
+/// An earlier run may have ended before it had identified the assertion.
 void KeptSearch::identify_question(const std::optional<diagnostics::Digest>& digest) {
     Asked& asked = asked_.back();
     const std::string unidentified = asked.digest;
@@ -227,7 +227,7 @@ void KeptSearch::identify_question(const std::optional<diagnostics::Digest>& dig
                         diagnostics::shown(asked.text)));
 }
 
-/// A search that was decided is what is left of its answer where that was not kept.
+/// The search of a decided assertion is its only record if its answer was not stored.
 void KeptSearch::end_question(bool decided) {
     if (decided) ++decided_;
     const bool kept = question_ && answers_->find(*question_);
@@ -237,7 +237,7 @@ void KeptSearch::end_question(bool decided) {
     folders_.clear();
 }
 
-/// First all at once, by its name: a run that is killed must not leave half of it.
+/// All are first renamed at once: a run that is killed must not leave a part of them.
 void KeptSearch::remove_searches() {
     std::error_code ignored;
     for (const std::string& folder : folders_) {
@@ -257,7 +257,7 @@ void KeptSearch::remove_left_over() const {
     for (const fs::path& each : found) fs::remove_all(each, ignored);
 }
 
-/// Each search of a question has a folder, by its number: the searches of a question are the same each time.
+/// Each search of an assertion has a folder with its number; the searches of an assertion are the same each time.
 RowKeeping KeptSearch::rows_of(const LevelQuestion& question, std::size_t width, const Budget& budget) {
     diagnostics::Hasher hasher;
     hasher.add(std::string_view("a search by levels"));
@@ -270,7 +270,7 @@ RowKeeping KeptSearch::rows_of(const LevelQuestion& question, std::size_t width,
         hasher.add(part);
     RowKeeping rows;
     rows.search = hasher.finish();
-    // The folder that another rank is in may be another one.
+    // Another rank may see a different folder.
     std::error_code ignored;
     rows.folder = fs::absolute(path("search-" + hex(rows.search).substr(0, search_digits)), ignored).string();
     if (::mkdir(rows.folder.c_str(), 0700) != 0 && errno != EEXIST)
@@ -278,7 +278,7 @@ RowKeeping KeptSearch::rows_of(const LevelQuestion& question, std::size_t width,
             fmt::format("cannot make the folder {}: {}", diagnostics::shown(rows.folder), std::strerror(errno)));
     folders_.push_back(rows.folder);
     const std::string run = rows.folder + "/" + run_name;
-    // Held until it is replaced: no rank of an earlier run begins in between.
+    // Held until it is replaced, so that no rank of an earlier run begins in between.
     const diagnostics::Descriptor earlier = storage::open_to_lock(run, false);
     if (!earlier.open() && errno != ENOENT) storage::cannot_open(run, errno);
     if (earlier.open())
@@ -295,7 +295,7 @@ RowKeeping KeptSearch::rows_of(const LevelQuestion& question, std::size_t width,
                                   diagnostics::shown(rows.folder)));
     rows.every = settings_.every;
     rows.disk = settings_.disk;
-    // A part of what is left, since the program needs some for other things.
+    // Only a part of the rest, since the program needs memory for other purposes.
     const std::uint64_t resident = diagnostics::resident_bytes();
     const std::uint64_t most = budget.limits().memory_bytes;
     rows.most_bytes = settings_.most_bytes.value_or((most - std::min(most, resident)) / 8 * 7);

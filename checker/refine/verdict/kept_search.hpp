@@ -1,12 +1,12 @@
-// Searches by levels whose rows are kept in files of a folder: as checkpoints, or because memory does not hold them
-// (docs/search.md, "Checkpoints", "Out of core"). The folder has
+// Searches by levels that store their rows in files of a folder: as checkpoints, or because they do not fit into memory
+// (docs/search.md, "Checkpoints", "Out of core"). The folder contains
 //
-//   lock               that a run has locked as long as it uses the folder
-//   questions          the questions asked so far, in order, and which program asked them
-//   answers/           what has been found about those that are decided
-//   search-HEX/        the levels and checkpoints of a search of a question that is not decided
+//   lock               locked by a run as long as it uses the folder
+//   questions          the assertions so far, in order, and the program that checked them
+//   answers/           the results of those that are decided
+//   search-HEX/        the levels and checkpoints of a search of an assertion that is not decided
 //
-// Another run that asks the same questions in the same order goes on from there.
+// Another run that checks the same assertions in the same order continues from there.
 #pragma once
 
 #include <chrono>
@@ -23,12 +23,12 @@ namespace robochart::refine {
 
 struct KeptSettings {
     std::string folder;
-    bool resume = false;  ///< goes on from what is in the folder; else there is nothing in it, or it is not there
-    bool disk = false;    ///< rows that memory does not hold stay in files
-    std::chrono::milliseconds every = std::chrono::minutes(10);  ///< between checkpoints
-    /// Its identity, not empty: programs of the same identity compile processes to the same rows.
+    bool resume = false;  ///< continue from the contents of the folder; otherwise the folder must be empty or not exist
+    bool disk = false;    ///< rows that do not fit into memory are stored in files
+    std::chrono::milliseconds every = std::chrono::minutes(10);  ///< time between checkpoints
+    /// Its identity, not empty: programs with the same identity compile processes to the same rows.
     std::string program;
-    /// Takes what the user should know, a sentence without its end; may be empty.
+    /// Receives messages for the user, a sentence without its full stop; may be empty.
     std::function<void(const std::string&)> say;
     // For tests: see DiskRowStore::Bounds.
     std::optional<std::uint64_t> most_bytes;
@@ -36,22 +36,22 @@ struct KeptSettings {
     unsigned reads_a_step = RowKeeping{}.reads_a_step;
 };
 
-/// The folder's side of it, at the first rank; the searches are another strategy's, whose ranks all see the folder.
+/// Manages the folder at the first rank. Another strategy executes the searches; all its ranks see the folder.
 class KeptSearch final : public LevelStrategy {
 public:
-    /// `ranks` does the searches, and outlives this. Throws storage::BadFile where the folder has anything in it,
-    /// without `resume`; or with it, nothing that this program can go on from; and where the program has no identity.
-    /// Throws storage::CannotWrite.
+    /// `ranks` executes the searches, and must outlive the object. Throws storage::BadFile if the folder is not empty,
+    /// without `resume`; with `resume`, if it contains nothing from which this program can continue; and if the program
+    /// has no identity. Throws storage::CannotWrite.
     KeptSearch(KeptSettings settings, LevelStrategy& ranks);
     ~KeptSearch() override;
 
-    /// Throws storage::BadFile where the folder was written for another question at this place.
+    /// Throws storage::BadFile if the folder was written for another assertion at this position.
     void begin_question(const std::string& text) override;
-    /// Throws storage::BadFile where it was written for this question about other processes.
+    /// Throws storage::BadFile if it was written for this assertion about other processes.
     void identify_question(const std::optional<diagnostics::Digest>& digest) override;
-    /// The searches of a question that is decided are removed where its answer is among `answers`.
+    /// The searches of a decided assertion are removed if its answer is in `answers`.
     void end_question(bool decided) override;
-    /// If all have been decided, nothing of what was kept is left.
+    /// If all assertions are decided, removes everything that was stored.
     void all_asked() override;
     [[nodiscard]] diagnostics::Cache* answers() override { return answers_ ? &*answers_ : nullptr; }
     std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
@@ -75,15 +75,15 @@ private:
 
     KeptSettings settings_;
     LevelStrategy& ranks_;
-    diagnostics::Descriptor lock_;  ///< of the folder
+    diagnostics::Descriptor lock_;  ///< lock of the folder
     std::optional<diagnostics::Cache> answers_;
-    std::vector<Asked> earlier_;                   ///< those that the folder was written for
+    std::vector<Asked> earlier_;                   ///< those for which the folder was written
     std::vector<Asked> asked_;                     ///< by this run
-    std::optional<diagnostics::Digest> question_;  ///< that is being decided
-    std::uint64_t searches_ = 0;                   ///< of it
-    std::vector<std::string> folders_;             ///< of these
-    std::vector<std::string> answered_;            ///< of questions that are decided, whose answers were not kept
-    std::size_t decided_ = 0;                      ///< questions of this run
+    std::optional<diagnostics::Digest> question_;  ///< the current assertion
+    std::uint64_t searches_ = 0;                   ///< number of its searches
+    std::vector<std::string> folders_;             ///< their folders
+    std::vector<std::string> answered_;            ///< folders of decided assertions whose answers were not stored
+    std::size_t decided_ = 0;                      ///< number of assertions in this run
 };
 
 }  // namespace robochart::refine

@@ -13,7 +13,7 @@
 namespace robochart::refine {
 namespace {
 
-/// Adds up what a search has seen, also when it is left by an exception.
+/// Adds up the statistics of a search, also if it ends by an exception.
 class LevelTally {
 public:
     LevelTally(const LevelSearch& search, unsigned ranks, Statistics& statistics)
@@ -51,7 +51,7 @@ namespace {
 
 using StoreFigures = DiskRowStore::Figures;
 
-/// `figures`: those of the store, when it is no longer there.
+/// `figures`: those of the store when it is destroyed.
 std::optional<Violation> search_with_store(lts::TransitionSystem& system, const LevelQuestion& question,
                                            Exchange& exchange, Budget& budget, Statistics& statistics,
                                            StoreFigures& figures) {
@@ -71,8 +71,8 @@ std::optional<Violation> search_with_store(lts::TransitionSystem& system, const 
     return Violation{finding->kind, std::move(finding->run), std::move(finding->loop), {}};
 }
 
-/// When no rank has files open any more: the folder may be removed, or used by the next search. The figures are the
-/// greatest of all ranks.
+/// Returns when no rank has files open any more: the folder may then be removed, or used by the next search. The
+/// figures are the maximum over all ranks.
 void end_of_stores(Exchange& exchange, const StoreFigures& figures, Statistics& statistics) {
     const auto word = [](std::uint64_t figure) {
         return static_cast<lts::Word>(std::min<std::uint64_t>(figure, std::numeric_limits<lts::Word>::max()));

@@ -1,4 +1,4 @@
-// The definitions of the models, as faults of one run: UCS 10 (T), 11 (F), 12 (FD).
+// The definitions of the models as faults of one run: UCS 10 (T), 11 (F), 12 (FD).
 #include "checker/refine/verdict/monitors.hpp"
 
 #include <algorithm>
@@ -8,7 +8,8 @@ namespace robochart::refine {
 using process::Event;
 using process::EventSet;
 
-/// T: every trace is one of the specification's. FD: where the specification diverges, whatever follows refines it.
+/// T: every trace must be one of the specification's. FD: if the specification diverges, everything afterwards refines
+/// it.
 Monitor::Advance RefinementMonitor::advance(Node node, Event event) {
     const std::scoped_lock lock(*turn_);
     const std::optional<NormalForm::Node> next = specification_.after(node, event);
@@ -17,8 +18,8 @@ Monitor::Advance RefinementMonitor::advance(Node node, Event event) {
     return {Effect::follow, *next};
 }
 
-/// F: what a stable state accepts includes one of the specification's acceptances after the same trace. That is the
-/// inclusion of refusals: refusals are the subsets of an acceptance's complement.
+/// F: the acceptance of a stable state must include one of the specification's acceptances after the same trace. This
+/// is the inclusion of refusals: refusals are the subsets of an acceptance's complement.
 std::optional<ViolationKind> refusal(const std::vector<EventSet>& wanted, const Offer& offer) {
     if (offer.tau && !offer.ticks()) return std::nullopt;
     const auto first = offer.events.begin();
@@ -34,7 +35,7 @@ std::optional<ViolationKind> RefinementMonitor::examine(Node node, const Offer& 
     return refusal(acceptances(node), offer);
 }
 
-/// They stay where they are once they have been made.
+/// References stay valid after creation.
 const std::vector<EventSet>& RefinementMonitor::acceptances(Node node) {
     if (node >= acceptances_.size()) acceptances_.resize(std::max<std::size_t>(node + 1U, 2 * acceptances_.size()));
     if (acceptances_[node] == nullptr) {

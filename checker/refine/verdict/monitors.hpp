@@ -1,4 +1,4 @@
-// What the questions watch along a run.
+// The monitors of the checks.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace robochart::refine {
 
-/// In F and FD: what is wrong with a state that offers this where the specification has these acceptances. None for an
+/// In F and FD: the fault of a state with this offer if the specification has these acceptances. No value for an
 /// unstable state.
 [[nodiscard]] std::optional<ViolationKind> refusal(const std::vector<process::EventSet>& wanted, const Offer& offer);
 
@@ -37,11 +37,11 @@ private:
 
     NormalForm& specification_;
     Model model_;
-    std::shared_ptr<std::mutex> turn_;  // whose it is may use the specification
+    std::shared_ptr<std::mutex> turn_;  // its owner may use the specification
     std::vector<const std::vector<process::EventSet>*> acceptances_;
 };
 
-/// Nothing but the reachable states: for deadlock (a state where nothing is possible) and divergence alone.
+/// Observes only the reachable states: for deadlock (a state in which nothing is possible), and for divergence alone.
 class StateMonitor final : public Monitor {
 public:
     explicit StateMonitor(bool forbid_deadlock) : forbid_deadlock_(forbid_deadlock) {}
@@ -55,7 +55,7 @@ private:
     bool forbid_deadlock_;
 };
 
-/// Finds a state that leaves any choice open: a tau, two transitions by one event, or termination beside another event.
+/// Finds a state with a choice: a tau, two transitions with the same event, or termination and another event.
 class ChoiceMonitor final : public Monitor {
 public:
     Node start() override { return 0; }
@@ -64,7 +64,8 @@ public:
     [[nodiscard]] std::unique_ptr<Monitor> another() override { return std::make_unique<ChoiceMonitor>(); }
 };
 
-/// Runs along one trace; finds the end of its first `goal` events. With `refused`, an end that can refuse that event.
+/// Follows runs along one trace; finds the end of its first `goal` events. With `refused`, an end that can refuse that
+/// event.
 class TraceMonitor final : public Monitor {
 public:
     TraceMonitor(const std::vector<process::Event>& trace, std::size_t goal,

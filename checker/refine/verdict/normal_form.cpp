@@ -1,4 +1,5 @@
-// Lazy normalisation. Everything is numbered in the order in which the search asks, so results are the same every time.
+// Normalisation on demand. Everything is numbered in the order of requests by the search, so results are the same every
+// time.
 #include "checker/refine/verdict/normal_form.hpp"
 
 #include <algorithm>
@@ -84,7 +85,7 @@ bool shorter(const EventSet& a, const EventSet& b) {
     return a.size() != b.size() ? a.size() < b.size() : a < b;
 }
 
-/// Keeps the sets that contain no other.
+/// Keeps the sets that contain no other set.
 std::vector<EventSet> minimal(std::vector<EventSet> sets, Budget& budget) {
     std::sort(sets.begin(), sets.end(), shorter);
     sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
@@ -120,7 +121,7 @@ NormalForm::Node NormalForm::initial() {
 NormalForm::Node NormalForm::node_of(Members seeds) {
     close(seeds);
     if (const auto known = ids_.find(seeds); known != ids_.end()) return known->second;
-    // Refused before it is entered: another thread would take the number for that of a node.
+    // Rejected before it is entered, because another thread would take the number for a node's.
     budget_.states(nodes_.size());
     if (!may_grow_ && nodes_.size() > std::max(few_nodes, 2 * graph_.size()))
         throw SpecificationGrows("the specification's normal form is larger than the specification");
@@ -130,7 +131,7 @@ NormalForm::Node NormalForm::node_of(Members seeds) {
     return node;
 }
 
-/// Adds what taus reach, and sorts.
+/// Adds the states that taus reach, and sorts.
 void NormalForm::close(Members& members) {
     ++closure_;
     const auto first_visit = [this](StateIndex state) {
@@ -209,8 +210,8 @@ bool NormalForm::diverges(Node node) {
     return *data.diverges;
 }
 
-/// Whether taus lead from the state into a tau cycle. One depth-first search over all calls: a state that is left
-/// without having met the current path or a divergent state reaches only such states, so its answer is final.
+/// Whether taus lead from the state into a tau cycle. One depth-first search over all calls: a finished state that has
+/// not reached the current path or a divergent state reaches only such states, so its answer is final.
 bool NormalForm::state_diverges(StateIndex root) {
     enum : std::uint8_t { unvisited, on_path, finite, infinite };
     struct Frame {

@@ -1,5 +1,5 @@
-// The specification, normalised as far as the search asks: nodes are tau-closed sets of its states, one for every
-// trace's behaviour (UCS 10.4.2, "normalisation"; done lazily).
+// The specification, normalised on demand: nodes are tau-closed sets of its states, one for the behaviour after each
+// trace (UCS 10.4.2, "normalisation").
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace robochart::refine {
 
-/// The states of a system explored on demand, with their transitions ordered by event.
+/// The states of a system explored on demand, with their transitions sorted by event.
 class LazyGraph {
 public:
     explicit LazyGraph(lts::TransitionSystem& system, Budget& budget);
@@ -30,7 +30,7 @@ public:
     std::span<const Edge> edges(lts::StateIndex state, process::Event event);
     [[nodiscard]] Offer offer(lts::StateIndex state);
     [[nodiscard]] std::size_t size() const { return states_.size(); }
-    /// The packed state behind a number.
+    /// The packed state with a number.
     [[nodiscard]] lts::StateView state(lts::StateIndex index) const { return states_[index]; }
 
 private:
@@ -49,7 +49,7 @@ private:
     std::vector<Edge> edges_;
 };
 
-/// There are more nodes than a specification has whose normal form is worth having.
+/// Thrown if the normal form of a specification has too many nodes to be useful.
 class SpecificationGrows : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -62,21 +62,21 @@ public:
     NormalForm(lts::TransitionSystem& specification, Budget& budget);
 
     Node initial();
-    /// The node after one more visible event or tick; none if the specification cannot perform it.
+    /// The node after one more visible event or tick; no value if the specification cannot perform it.
     std::optional<Node> after(Node node, process::Event event);
-    /// What the specification can perform here, ascending.
+    /// The events that the specification can perform here, ascending.
     process::EventSet initials(Node node);
-    /// The minimal acceptances of the node's states, in the order of their size, then of their events. Every stable
-    /// behaviour here accepts at least one of them. Empty: no stable state.
+    /// The minimal acceptances of the node's states, sorted by size, then by events. Every stable behaviour here
+    /// accepts at least one of them. Empty: no stable state.
     const std::vector<process::EventSet>& acceptances(Node node);
-    /// Whether the specification can perform taus for ever here.
+    /// Whether the specification can perform taus forever here.
     bool diverges(Node node);
     /// Whether all states of one node are states of the other.
     [[nodiscard]] bool includes(Node larger, Node smaller) const;
-    /// The specification's states behind a node.
+    /// The specification's states in a node.
     [[nodiscard]] std::vector<lts::StateView> states(Node node) const;
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
-    /// From now on a node too many, by far more than there are states, throws SpecificationGrows.
+    /// From now on, SpecificationGrows is thrown when there are far more nodes than states.
     void refuse_growth() { may_grow_ = false; }
 
 private:
@@ -104,10 +104,10 @@ private:
     Budget& budget_;
     std::unordered_map<Members, Node, Hash> ids_;
     std::deque<NodeData> nodes_;
-    std::vector<std::uint32_t> mark_;  // per state, the closure it was last put into
+    std::vector<std::uint32_t> mark_;  // by state: the closure to which it was last added
     std::uint32_t closure_ = 0;
     bool may_grow_ = true;
-    std::vector<std::uint8_t> divergence_;  // per state: see state_diverges
+    std::vector<std::uint8_t> divergence_;  // by state: see state_diverges
 };
 
 }  // namespace robochart::refine

@@ -10,7 +10,7 @@ using process::Event;
 
 namespace {
 
-/// Numbers nodes in the order in which they are met.
+/// Numbers nodes in the order of discovery.
 class Numbering {
 public:
     Monitor::Node of(NormalForm::Node node) {

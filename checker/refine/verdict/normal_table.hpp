@@ -1,4 +1,4 @@
-// A normal form in whole, as data: what ranks are given instead of the specification.
+// A complete normal form as data, which ranks receive instead of the specification.
 #pragma once
 
 #include <memory>
@@ -16,20 +16,20 @@ namespace robochart::refine {
 struct NormalTable {
     struct Node {
         std::vector<std::pair<process::Event, Monitor::Node>> arcs;  ///< ascending by event
-        std::vector<process::EventSet> acceptances;  ///< NormalForm::acceptances; not in the traces model
-        bool diverges = false;  ///< only in the failures-divergences model; nothing is known of what follows then
+        std::vector<process::EventSet> acceptances;  ///< NormalForm::acceptances; empty in the traces model
+        bool diverges = false;  ///< only in the failures-divergences model; the behaviour afterwards is not stored
     };
     std::vector<Node> nodes;
 };
 
-/// The most nodes that a table has: each rank keeps all.
+/// The maximal number of nodes in a table, because each rank stores all of them.
 inline constexpr std::size_t most_table_nodes = 1'000'000;
 
-/// What the model's refinement looks at of the whole normal form; none where it has more nodes than a table, or (see
-/// SpecificationGrows) more than are worth having. Throws what the specification throws, and LimitReached.
+/// The parts of the whole normal form that refinement in the model uses. No value if it has more nodes than a table, or
+/// (see SpecificationGrows) too many to be useful. Throws the exceptions of the specification, and LimitReached.
 [[nodiscard]] std::optional<NormalTable> table_of(NormalForm& normal, Model model);
 
-/// RefinementMonitor with the same answers, by a table.
+/// A monitor with the answers of RefinementMonitor, from a table.
 class TableMonitor final : public Monitor {
 public:
     TableMonitor(std::shared_ptr<const NormalTable> table, Model model) : table_(std::move(table)), model_(model) {}

@@ -11,16 +11,16 @@
 
 namespace robochart::refine {
 
-/// Runs the question; a limit reached or memory that is not there gives inconclusive. Other exceptions pass.
-/// Long work inside the systems counts against the limits too.
+/// Runs the check; a reached limit or a lack of memory gives inconclusive. Other exceptions are passed on. Long work
+/// inside the systems counts against the limits too.
 [[nodiscard]] Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits& limits,
                              const std::function<void(Budget&, Verdict&)>& question);
 
-/// What an earlier search has found where that is known, else what this one finds, which is then noted.
+/// The result of an earlier search if it is known; otherwise the result of this one, which is then stored.
 [[nodiscard]] std::optional<Violation> found(Earlier earlier, Verdict& verdict,
                                              const std::function<std::optional<Violation>()>& search);
 
-/// Adds up what a search has seen, also when it is left by an exception.
+/// Adds up the statistics of a search, also if it ends by an exception.
 class Tally {
 public:
     Tally(const Search& search, Statistics& statistics, const NormalForm* specification = nullptr)
@@ -35,12 +35,12 @@ private:
     const NormalForm* specification_;
 };
 
-/// The shortest run of a trace's first events, which is known to exist.
+/// The shortest run of a trace's first events, which must exist.
 [[nodiscard]] Run run_of_prefix(lts::TransitionSystem& system, const std::vector<process::Event>& trace,
                                 std::size_t length, Budget& budget);
 /// The run to a finding, with the forbidden event as its last step if there is one.
 [[nodiscard]] Violation violation_of(Search& search, lts::TransitionSystem& system, const Finding& finding);
-/// After an exhausted search that kept taus: the first divergence.
+/// After a complete search that noted taus: the first divergence.
 [[nodiscard]] std::optional<Violation> first_divergence(Search& search);
 
 }  // namespace robochart::refine

@@ -39,7 +39,7 @@ private:
     std::vector<StateIndex> sources_;
 };
 
-/// Of each state, whether some run of it has an event of the goal.
+/// For each state, whether some run from it contains an event of the goal.
 std::vector<bool> leading_to(const lts::Graph& graph, const process::EventSet& goal, Budget& budget) {
     std::vector<bool> marked(graph.size());
     std::vector<StateIndex> waiting;
@@ -63,8 +63,8 @@ std::vector<bool> leading_to(const lts::Graph& graph, const process::EventSet& g
     return marked;
 }
 
-/// The states of a shortest run to this one, without the initial one: states are numbered in the order of a
-/// breadth-first search, so the first that leads to one is nearest.
+/// The states of a shortest run to this one, without the initial one. States are numbered in breadth-first order, so
+/// the first predecessor of a state is nearest.
 std::vector<StateIndex> way_to(const lts::Graph& graph, StateIndex last) {
     std::vector<StateIndex> parent(graph.size());
     std::vector<bool> known(graph.size());
@@ -118,7 +118,8 @@ std::optional<Violation> explore_backwards(lts::TransitionSystem& system, const 
     return Violation{ViolationKind::no_return, run_along(system, all, way), {}, {}};
 }
 
-/// No run from the end of the violation's has an event of the goal, by the whole system; of the first states behind it.
+/// Confirms in the whole system that no run from the end of the violation contains an event of the goal; only the first
+/// states after it are checked.
 void confirm_no_return(lts::TransitionSystem& system, const process::EventSet& goal, const Violation& violation,
                        Budget& budget) {
     constexpr StateIndex most = 100'000;

@@ -13,7 +13,7 @@
 namespace robochart::refine {
 namespace {
 
-/// The limits of the search for a shortest run, so that time is left to report what is known.
+/// The limits of the search for a shortest run, which leave time to report the known result.
 Limits leaving_time(Limits limits) {
     const auto now = std::chrono::steady_clock::now();
     if (limits.deadline) *limits.deadline = now + (std::max(*limits.deadline, now) - now) / 2;
@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    /// The replicas that the question does not distinguish.
+    /// The replicas that the assertion does not distinguish.
     void find_symmetry(const std::function<void()>& poll) {
         std::vector<lts::ReplicaSet> kept;
         for (lts::ReplicaSet set : system_.replicas(poll)) {
@@ -55,7 +55,7 @@ private:
         statistics.distinguished = distinguished_;
     }
 
-    /// In the reduced form without the taus, where that is given, and without what symmetry leaves out.
+    /// Searches the reduced form, if it is given, and leaves out symmetric states.
     std::optional<Violation> search(const std::shared_ptr<lts::ReducedSystem>& reduced, Budget& budget,
                                     Statistics& statistics, const Violation* known) {
         const PollGuard taus_guard({reduced.get()}, budget);

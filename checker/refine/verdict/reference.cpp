@@ -1,5 +1,6 @@
-// Breadth-first search for the run: first by exactly its actions and by what is behind its taus, then by its actions,
-// which strongly bisimilar components allow, then by its trace alone, because compressed components may do other taus.
+// Breadth-first search for the run: first with exactly its actions and the hidden events of its taus; then with its
+// actions only, which suffices for strongly bisimilar components; then with its trace only, because compressed
+// components may perform other taus.
 #include "checker/refine/verdict/reference.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 using process::Event;
 using State = std::vector<lts::Word>;
 
-/// The reference's share: a bound reached says nothing about the verdict.
+/// The reference's share of time: reaching this limit does not affect the verdict.
 constexpr std::chrono::seconds longest_replay{20};
 
 struct Moves {
@@ -29,7 +30,7 @@ Moves moves_of(lts::TransitionSystem& system, const State& state, Budget& budget
     return moves;
 }
 
-/// One action of a run; `revealed` is absent where any will do.
+/// One action of a run; `revealed` has no value if any hidden event is allowed.
 struct Action {
     Event event;
     std::optional<Event> revealed = std::nullopt;
@@ -38,13 +39,13 @@ struct Action {
     }
 };
 
-/// Paths through a system whose nodes are states with a place in a word of actions.
+/// Paths through a system whose nodes are states with an index into a sequence of actions.
 class Paths {
 public:
     Paths(lts::TransitionSystem& system, Budget& budget) : system_(system), budget_(budget) {}
 
-    /// The shortest run from `from` along the actions to a state that `ends` accepts; with `free_taus`, taus may come
-    /// anywhere and the actions have none.
+    /// The shortest run from `from` along the actions to a state that `ends` accepts. With `free_taus`, the actions
+    /// contain no taus, and taus are allowed anywhere.
     std::optional<Run> find(const State& from, const std::vector<Action>& actions, bool free_taus,
                             const std::function<bool(const State&, const Moves&)>& ends) {
         nodes_.clear();
@@ -93,7 +94,7 @@ std::vector<Action> actions_of(const Run& run) {
     return actions;
 }
 
-/// Without the hidden events taus are not distinguished: along a row of taus most of a state space matches.
+/// Without the hidden events taus are not distinguished: most of a state space matches a sequence of taus.
 std::vector<Action> revealed_actions_of(const Run& run) {
     std::vector<Action> actions;
     for (const RunStep& step : run.steps) actions.push_back({step.event, step.revealed});
@@ -116,8 +117,8 @@ struct Lasso {
     Run loop;
 };
 
-/// Round after round of what the loop does and hides, until a round begins where an earlier one did: a state of a
-/// machine stands for several terms, so that one round there may be several here.
+/// Repeats the actions and hidden events of the loop until a round begins in the same state as an earlier one. A state
+/// of a machine represents several terms, so one round there may be several rounds here.
 std::optional<Lasso> rounds_of(lts::TransitionSystem& system, const State& state, const Run& loop, Budget& budget) {
     constexpr std::size_t most_rounds = 100;
     const std::vector<Action> actions = revealed_actions_of(loop);
@@ -139,7 +140,7 @@ std::optional<Lasso> rounds_of(lts::TransitionSystem& system, const State& state
     return std::nullopt;
 }
 
-/// Taus from the state back to itself: as the loop's, if that is known, or else any.
+/// Taus from the state back to itself: with the loop's hidden events if they are known, otherwise any.
 std::optional<Lasso> tau_loop(lts::TransitionSystem& system, const State& state, const Run& like, Budget& budget) {
     if (!like.steps.empty())
         if (auto found = rounds_of(system, state, like, budget)) return found;
@@ -156,7 +157,7 @@ std::optional<Lasso> tau_loop(lts::TransitionSystem& system, const State& state,
     return std::nullopt;
 }
 
-/// Whether a state of the reference is as bad as the one where the violation ends.
+/// Whether a state of the reference has the same fault as the one at the end of the violation.
 std::function<bool(const State&, const Moves&)> as_bad_as(lts::TransitionSystem& system,
                                                           lts::TransitionSystem& reference, const Violation& violation,
                                                           Budget& budget) {

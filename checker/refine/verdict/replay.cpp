@@ -1,4 +1,4 @@
-// Definitions restated naively: sets of whole states, closed under tau, event by event.
+// Definitions implemented naively: sets of whole states, closed under tau, event by event.
 #include "checker/refine/verdict/replay.hpp"
 
 #include <fmt/format.h>
@@ -43,14 +43,14 @@ void confirm_run(lts::TransitionSystem& system, const Run& run, Budget& budget) 
     confirm_steps(system, run, budget);
 }
 
-/// What one state does, by definition.
+/// The transitions of one state, by definition.
 struct Conduct {
     bool tau = false;
     std::set<Event> events;
 
     [[nodiscard]] bool stable() const { return !tau && !events.contains(process::tick); }
-    /// Whether the state can refuse everything outside `accepted`: a stable state accepts all it offers, one that can
-    /// terminate accepts tick alone.
+    /// Whether the state can refuse everything outside `accepted`: a stable state accepts everything that it offers; a
+    /// state that can terminate accepts only tick.
     [[nodiscard]] bool can_settle_for(const EventSet& accepted) const {
         if (events.contains(process::tick))
             return std::find(accepted.begin(), accepted.end(), process::tick) != accepted.end();
@@ -74,10 +74,10 @@ Conduct conduct_of(lts::TransitionSystem& system, const State& state, Budget& bu
     return conduct;
 }
 
-/// All states a system can be in after a trace.
+/// All states in which a system can be after a trace.
 class Powerset {
 public:
-    /// There are more states than asked for.
+    /// There are more states than the limit.
     struct TooLarge {};
 
     Powerset(lts::TransitionSystem& system, Budget& budget, std::size_t most = std::numeric_limits<std::size_t>::max())
@@ -105,8 +105,8 @@ public:
             return conduct_of(system_, state, budget_).can_settle_for(accepted);
         });
     }
-    /// States without a tau are taken away, then those whose taus all lead to such, until none is left or all that are
-    /// left have a tau that stays.
+    /// Removes states without a tau, then those all of whose taus lead to removed states, until no state remains or
+    /// every remaining one has a tau to a remaining one.
     bool diverges() {
         std::map<State, std::size_t> taus_left;
         std::map<State, std::vector<State>> sources;
@@ -215,8 +215,8 @@ void confirm_missing_trace(lts::TransitionSystem& system, const std::vector<Even
     const std::vector<Event> prefix = run.trace();
     require(prefix.size() < trace.size() && std::equal(prefix.begin(), prefix.end(), trace.begin()),
             "the run is not a beginning of the trace");
-    // That no run goes on is no matter of one run: where there are many, the search has to be believed, as it is where
-    // a refinement holds.
+    // That no run continues cannot be shown by a single run: if there are too many runs, the search is trusted, as it
+    // is if a refinement holds.
     constexpr std::size_t most_states = 20'000;
     try {
         Powerset states(system, budget, most_states);

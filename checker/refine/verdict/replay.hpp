@@ -1,6 +1,6 @@
-// Counterexamples are believed after they have been replayed: the run is taken again step by step, and the violation
-// is judged against a plain powerset of the specification along its trace. Slow, definitional, and apart from the
-// search: nothing of its data is used. A mismatch is an internal error and throws std::logic_error.
+// Counterexamples are reported only after a replay: the run is repeated step by step, and the violation is checked
+// against a plain powerset of the specification along its trace. Slow, close to the definitions, and independent of the
+// search, whose data are not used. A mismatch is an internal error and throws std::logic_error.
 #pragma once
 
 #include "checker/refine/search/budget.hpp"

@@ -1,5 +1,5 @@
-// `has trace`: searches that go along one trace. They are searches of the reduced form where that is given, like those
-// of the refinement that says the same: `not P :[has trace [T]]: t` is a refinement of P by all traces but t.
+// `has trace`: searches along one trace. They use the reduced form if it is given, like the equivalent refinement: `not
+// P :[has trace [T]]: t` is a refinement of P by all traces except t.
 #include <algorithm>
 #include <string>
 
@@ -15,15 +15,15 @@ namespace {
 
 using process::Event;
 
-/// Whether runs along the trace are mapped to such runs.
+/// Whether the symmetry maps runs along the trace to such runs.
 bool fixes(const lts::EventPermutation& exchange, const std::vector<Event>& trace) {
     return std::ranges::none_of(exchange, [&](const auto& moved) {
         return moved.first != moved.second && std::ranges::find(trace, moved.first) != trace.end();
     });
 }
 
-/// What `search` finds, as a run of the system. The reduced form has the same traces, refusals and divergences along
-/// them, so `search` may look for any of these.
+/// The result of `search` as a run of the system. The reduced form has the same traces, and the same refusals and
+/// divergences along them, so `search` may search for any of these.
 std::optional<Violation> search_along(
     lts::TransitionSystem& system, const std::vector<Event>& trace, Budget& budget, Statistics& statistics,
     bool shortest,
@@ -35,7 +35,7 @@ std::optional<Violation> search_along(
     return search_reduced(system, budget, statistics, question);
 }
 
-/// A run of the trace's first events, and how many of its events some run has: of the trace all, or the most.
+/// A run of the trace's first events, and the maximal number of its events that some run performs.
 struct Reached {
     std::optional<Violation> violation;
     std::size_t furthest = 0;
@@ -56,7 +56,7 @@ Reached reach(lts::TransitionSystem& system, const std::vector<Event>& trace, st
     return reached;
 }
 
-/// Every run along the trace. Notes the first of its events that some state on the way can refuse.
+/// Follows every run along the trace. Records the first of its events that some state on the way can refuse.
 class RefusalsAlong final : public Monitor {
 public:
     explicit RefusalsAlong(const std::vector<Event>& trace) : trace_(trace) {}
@@ -80,7 +80,7 @@ private:
 
 struct Doubts {
     bool diverges = false;
-    std::optional<std::size_t> refused;  ///< place in the trace
+    std::optional<std::size_t> refused;  ///< index in the trace
 };
 
 Doubts doubts_along(lts::TransitionSystem& system, const std::vector<Event>& trace, bool divergence, Budget& budget) {
@@ -99,8 +99,8 @@ Doubts doubts_along(lts::TransitionSystem& system, const std::vector<Event>& tra
     return doubts;
 }
 
-/// FDR's manual does not say what the failures models add to `has trace`. Where the system neither refuses nor diverges
-/// on the way they add nothing, and if it cannot perform the trace they do not help; otherwise the answer is open.
+/// FDR's manual does not define what the failures models add to `has trace`. If the system neither refuses nor diverges
+/// along the trace, they add nothing; if it cannot perform the trace, they do not matter; otherwise the answer is open.
 void doubt_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Model model, Budget& budget,
                  Verdict& verdict) {
     const std::string open = "; what that means for 'has trace' outside the traces model is not defined: use [T]";

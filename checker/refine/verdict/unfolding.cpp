@@ -11,8 +11,8 @@ namespace {
 
 using State = std::vector<lts::Word>;
 
-/// The system's run beside one of its reduced form: at each moment the system is in the image, by the present
-/// automorphism, of a state that the reduced form has or goes through.
+/// A run of the system in parallel with one of its reduced form: at each moment the state of the system is the image,
+/// under the current automorphism, of a state that the reduced form visits or passes through.
 class Unfolding {
 public:
     Unfolding(lts::TransitionSystem& system, const Reduction& reduction)
@@ -30,13 +30,13 @@ public:
             arrive(step.state);
         }
     }
-    /// From now on another run, from where this one has ended.
+    /// Returns the run and starts another one at its end.
     Run take() {
         Run result = std::move(run_);
         run_ = {result.last(), {}};
         return result;
     }
-    /// Goes on as so far, each time by the next image of the run, until it is back at its first state.
+    /// Repeats the run, each time with its next image, until it returns to its first state.
     void close() {
         const State first = run_.initial;
         const std::size_t length = run_.steps.size();
@@ -62,7 +62,7 @@ private:
         return reduction_.symmetry == nullptr ? event : reduction_.symmetry->orbit(event);
     }
 
-    /// The step of the system from the present state of the reduced form that it shows as this one.
+    /// The step of the system from the current state that the reduced form shows as this one.
     [[nodiscard]] RunStep step_behind(const RunStep& shown) const {
         for (RunStep& step : steps_from(system_, shown_)) {
             if (step.event != shown.event || step.revealed != shown.revealed) continue;
@@ -72,7 +72,7 @@ private:
         throw std::logic_error("a step of the reduced system cannot be taken");
     }
 
-    /// The step of the system from where the run has ended.
+    /// The step of the system from the end of the run.
     [[nodiscard]] RunStep step_to(const State& target, lts::Event event) const {
         for (RunStep& step : steps_from(system_, run_.last()))
             if (step.state == target && orbit(step.event) == orbit(event)) return std::move(step);
@@ -91,7 +91,7 @@ private:
         for (const State& next : chased(shown_)) go_to(next, process::tau);
     }
 
-    /// The reduced form is in this state, which the present one of the run is an image of.
+    /// The reduced form is in this state, of which the current state of the run is an image.
     void arrive(State state) {
         shown_ = std::move(state);
         if (reduction_.symmetry != nullptr) permutation_ = reduction_.symmetry->between(shown_, run_.last());

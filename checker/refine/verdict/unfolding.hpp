@@ -1,5 +1,5 @@
-// Runs of a system from runs of its reduced forms: with the confluent taus that were followed, and with every replica
-// in its own place again (docs/search.md, "Confluent taus", "Symmetry").
+// Converts runs of a system's reduced forms to runs of the system: with the confluent taus that were followed, and with
+// every replica in its own place again (docs/search.md, "Confluent taus", "Symmetry").
 #pragma once
 
 #include "checker/lts/symmetry.hpp"
@@ -9,7 +9,7 @@
 
 namespace robochart::refine {
 
-/// How a system was reduced: what is null was not done. Taus are followed before states are folded.
+/// How a system was reduced; null members were not applied. Taus are followed before states are folded.
 struct Reduction {
     lts::ReducedSystem* taus = nullptr;
     lts::Symmetry* symmetry = nullptr;

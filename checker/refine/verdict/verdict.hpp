@@ -1,4 +1,4 @@
-// Answers: whether an assertion holds, and the run that shows that it does not.
+// The result of an assertion, and the run that violates it.
 #pragma once
 
 #include <optional>
@@ -21,43 +21,44 @@ enum class Outcome { holds, fails, inconclusive };
 /// One step of the implementation's run.
 struct Step {
     process::Event event = process::tau;
-    process::Event revealed = process::tau;  ///< the hidden event behind a tau, if known
+    process::Event revealed = process::tau;  ///< the hidden event of a tau, if known
     std::string state;                       ///< describe() of the state reached
 };
 
-/// A run that violates an assertion, and what is wrong with it.
+/// A run that violates an assertion, and its fault.
 struct Counterexample {
     ViolationKind kind = ViolationKind::trace;
-    std::vector<Step> steps;  ///< run of the implementation, taus included
+    std::vector<Step> steps;  ///< run of the implementation, including taus
     std::string initial;      ///< describe() of the initial state
-    /// Refusal, deadlock, nondeterminism: the least that the last state accepts, ✓ alone where it can terminate.
+    /// Refusal, deadlock, nondeterminism: the least acceptance of the last state; only ✓ if it can terminate.
     std::vector<process::Event> offered;
-    /// Refusal: the specification's minimal acceptances, none where it has no stable state; trace: one set, the events
+    /// Refusal: the specification's minimal acceptances, empty if it has no stable state; trace: one set, the events
     /// that it allowed.
     std::vector<process::EventSet> required;
     std::vector<Step> loop;               ///< divergence: the tau loop
-    std::optional<process::Event> event;  ///< nondeterminism: the event; trace: the offending one
-    /// Nondeterminism: another run with the same events, and the event that this one refuses as its last step. Empty
-    /// where a limit ended the search for it.
+    std::optional<process::Event> event;  ///< nondeterminism: the event; trace: the forbidden one
+    /// Nondeterminism: another run with the same events, followed by the event that this one refuses. Empty if a limit
+    /// ended the search for it.
     std::vector<Step> accepting;
     std::string accepting_initial;  ///< describe() of its initial state
-    /// The initial state and those after the steps, then those of the loop, and of the accepting run; empty where
-    /// states are not terms.
+    /// The states after the steps, preceded by the initial one; then those of the loop, and of the accepting run. Empty
+    /// if states are not terms.
     std::vector<process::TermId> terms, loop_terms, accepting_terms;
-    /// Whether the run was replayed by the operational semantics of terms; else by the compiled rules alone, because
-    /// the terms were too many or there are none.
+    /// Whether the run was replayed by the operational semantics of terms; otherwise only by the compiled rules,
+    /// because there were too many terms, or none.
     bool replayed_by_terms = false;
-    /// Whether there is no shorter one. Else a limit has ended the search for it (docs/search.md, "Confluent taus").
+    /// Whether no run is shorter. False if a limit has ended the search for it (docs/search.md, "Confluent taus").
     bool shortest = true;
 };
 
-/// The answer to an assertion, with its counterexample and the size of the search.
+/// The result of an assertion, with its counterexample and the size of the search.
 struct Verdict {
     Outcome outcome = Outcome::inconclusive;
-    std::string reason;                            ///< inconclusive: which limit, or the evaluation error
-    std::optional<Counterexample> counterexample;  ///< present iff fails (for has trace: iff the trace is impossible)
+    std::string reason;                            ///< inconclusive: the limit, or the evaluation error
+    std::optional<Counterexample> counterexample;  ///< present iff the assertion fails (for has trace: iff the trace is
+                                                   ///< impossible)
     Statistics statistics;
-    bool known = false;  ///< an earlier search of the same systems gave the answer; the statistics are its
+    bool known = false;  ///< an earlier search of the same systems gave the answer; the statistics are its own
 };
 
 }  // namespace robochart::refine
