@@ -1,5 +1,5 @@
-// A part of a process passes through segments: a sequential component runs on by itself, or an operator stays in place
-// while its operands move. A segment ends where its operator is resolved in favour of an operand that had not run.
+// A part of a process passes through segments: a sequential component runs, or an operator stays in place while its
+// operands move. A segment ends when its operator is resolved in favour of an operand that had not run.
 #include "checker/process/behaviour.hpp"
 
 #include <algorithm>
@@ -14,26 +14,26 @@ namespace robochart::process {
 namespace {
 
 constexpr std::size_t most_parts = 500;
-constexpr std::size_t most_entries = 10'000'000;  // of all traces together
+constexpr std::size_t most_entries = 10'000'000;  // for all traces together
 constexpr int deepest_parts = 100;
 constexpr int deepest_look = 50;
 constexpr std::size_t shown_events = 3;
-constexpr std::size_t most_looked_at = 200'000;  // states of compressed operands, in all
+constexpr std::size_t most_looked_at = 200'000;  // total number of states of compressed operands
 
 struct Step {
-    std::size_t index;  ///< of the whole run
+    std::size_t index;  ///< index in the whole run
     Transition transition;
 };
 using Steps = std::vector<Step>;
 
-/// What has been done for one run, its nested ones included.
+/// The work for one run, including nested ones.
 struct Work {
     std::size_t looked_at = 0;
     std::size_t parts = 0;
 };
 
-/// Breadth first over a process's terms with the number of events done. Finds a shortest run by these events to a
-/// state that offers what `end` does, if that is stable; none within a bound of work.
+/// Breadth-first search over a process's terms and the number of events done. Finds a shortest run by these events to a
+/// state with the offer of `end`, if that is stable; no value if the limit on work is reached.
 std::optional<std::vector<Transition>> run_inside(OperationalSemantics& semantics, TermId from,
                                                   const std::vector<Event>& events, const Behaviour& end, Work& work) {
     struct Node {
@@ -90,7 +90,7 @@ private:
         Behaviour behaviour;
         TermId end;
         std::size_t next;      ///< the step after the segment
-        bool goes_on = false;  ///< another segment follows, if only an empty one
+        bool goes_on = false;  ///< another segment follows, even if it is empty
     };
 
     Behaviour begin(TermId initial) {
@@ -140,7 +140,7 @@ private:
     std::size_t most_parts_;
 };
 
-/// Operators above sequential processes alone (choices, sequences) are the component's own business.
+/// Operators that are only above sequential processes (choices, sequences) belong to the component.
 bool Splitter::worth_taking_apart(TermId id, int look) {
     if (look > deepest_look) return false;
     const Term term = terms_[unfolded(id)];
@@ -178,7 +178,8 @@ Splitter::Segment Splitter::component(TermId from, const Steps& steps, std::size
     return segment;
 }
 
-/// A machine is the result of compressing an operand; the operand has a run with the same events, reported separately.
+/// A machine is the result of compressing an operand. The run of the operand with the same events is reported
+/// separately.
 Splitter::Segment Splitter::compression(TermId from, const Steps& steps, std::size_t next, int depth) {
     Segment segment{begin(from), from, next, false};
     const Term term = terms_[unfolded(from)];
@@ -191,7 +192,7 @@ Splitter::Segment Splitter::compression(TermId from, const Steps& steps, std::si
         if (step.transition.event != tau) events.push_back(step.transition.event);
         if (step.transition.event != tau) shown.push_back(step.index);
     }
-    offer(segment.behaviour, segment.end);  // of a machine, whose states are all known
+    offer(segment.behaviour, segment.end);  // for a machine, whose states are all known
     const TermId operand = term.children.front();
     const auto inside = run_inside(semantics_, operand, events, segment.behaviour, work_);
     if (!inside) return segment;

@@ -1,4 +1,4 @@
-// Machines of the semantics as graphs, minimised, and back.
+// Converts machines of the semantics to graphs, minimises them, and converts them back.
 
 #include "checker/process/bisimulation_compressor.hpp"
 

@@ -1,4 +1,4 @@
-// Firing rules of the operators that a system is composed by: parallel, hiding, renaming, priority, chase. Notation and
+// Firing rules of the operators that compose a system: parallel, hiding, renaming, priority, chase. Notation and
 // sources as in firing_rules.cpp.
 #include <algorithm>
 #include <unordered_set>
@@ -25,8 +25,8 @@ void FiringRules::parallel(const Term& term, List& list) {
     synchronise_all(term, everyone, list);
 }
 
-// UCS 9.2, alphabetised parallel: an event happens if it is in some alphabet and every operand whose alphabet has it
-// performs it; taus are free; tick as in [|A|].
+// UCS 9.2, alphabetised parallel: an event happens if some alphabet contains it and every operand whose alphabet
+// contains it performs it; taus are free; tick as in [|A|].
 void FiringRules::alphabetised(const Term& term, List& list) {
     tick_together(term, list);
     std::vector<std::size_t> participants;
@@ -50,7 +50,7 @@ void FiringRules::tick_together(const Term& term, List& list) {
     if (all) list.push_back({tick, tick, omega_});
 }
 
-/// Every event of the term's set, but tick, that all participants perform: it is one the first of them performs.
+/// Every event of the term's set except tick that all participants perform; it is one that the first of them performs.
 void FiringRules::synchronise_all(const Term& term, const std::vector<std::size_t>& participants, List& list) {
     if (participants.empty()) return;
     Event last = tau;
@@ -61,7 +61,7 @@ void FiringRules::synchronise_all(const Term& term, const std::vector<std::size_
     }
 }
 
-/// All combinations of the participants' steps by one event, the last participant varying fastest.
+/// All combinations of the participants' steps with one event, the last participant varying fastest.
 void FiringRules::synchronise(const Term& term, const std::vector<std::size_t>& participants, Event event, List& list) {
     std::vector<std::span<const Transition>> steps;
     for (std::size_t participant : participants) {
@@ -99,7 +99,7 @@ void FiringRules::hide(const Term& term, List& list) {
 }
 
 // UCS 9.2:  P --a--> P', (a,b) ∈ R  gives  P[[R]] --b--> P'[[R]]; τ and ✓ keep their names. CSPM: an event that R does
-// not mention keeps its name; one mentioned several times is offered under each of its names.
+// not mention keeps its name; one mentioned several times is offered with each of its names.
 void FiringRules::rename(const Term& term, List& list) {
     const Renaming& pairs = terms_[RenamingId{term.payload}];
     for (const Transition& step : known_.of(term.children[0])) {
@@ -116,8 +116,8 @@ void FiringRules::rename(const Term& term, List& list) {
     }
 }
 
-// FDR manual, prioritise(P, <A0, ..., An>), and UCS 20.2: the sets are in order of descending priority; an event of
-// A_i is prevented where P can also perform an event of A_j with j < i. τ and ✓ count as members of A0: they are never
+// FDR manual, prioritise(P, <A0, ..., An>), and UCS 20.2: the sets are in order of descending priority; an event of A_i
+// is prevented if P can also perform an event of A_j with j < i. τ and ✓ count as members of A0: they are never
 // prevented, prevent A_1 ... A_n, and do not prevent A0. An event in none of the sets neither prevents nor is
 // prevented.
 //   P --x--> P',  no y of higher level than x with P --y-->
@@ -135,8 +135,8 @@ void FiringRules::prioritise(const Term& term, List& list) {
     }
 }
 
-// FDR manual, prioritisepo(P, E, O, M), and UCS 20.2: as prioritise, by the partial order that the pairs of O span over
-// the events of E; τ and ✓ lie above all events of E but the maximal ones, M.
+// FDR manual, prioritisepo(P, E, O, M), and UCS 20.2: as prioritise, by the partial order on the events of E that the
+// pairs of O generate; τ and ✓ are above all events of E except the maximal ones, M.
 //   P --x--> P',  no y with (y,x) in the order and P --y-->
 //   prioritisepo(P,E,O,M) --x--> prioritisepo(P',E,O,M)
 void FiringRules::prioritise_order(const Term& term, List& list) {
@@ -161,8 +161,8 @@ const std::vector<std::uint32_t>& FiringRules::levels(OrderId id) {
     return level;
 }
 
-// FDR manual, chase(P): wherever P has taus, one of them is followed at once and the other actions of that state are
-// dropped, until no tau is left. Ours follows the first. Where the taus have no end the result diverges.
+// FDR manual, chase(P): if P has taus, one of them is followed at once and the other actions of that state are dropped,
+// until no tau is left. This implementation follows the first. If the taus have no end, the result diverges.
 void FiringRules::chase(const Term& term, List& list) {
     const TermId end = end_of_chase(term.children[0]);
     if (performs(end, tau)) {

@@ -1,4 +1,5 @@
-// How the operational semantics has a compression done: it explores the operand, something else makes it smaller.
+// The interface by which the operational semantics compresses operands: it explores the operand, and an implementation
+// makes it smaller.
 #pragma once
 
 #include <cstdint>
@@ -18,26 +19,27 @@ struct Machine {
         std::uint32_t target;
     };
     std::vector<std::vector<Edge>> edges;
-    std::vector<TermId> meaning;  ///< of each state, a term that it stands for
+    std::vector<TermId> meaning;  ///< by state: a term that it represents
 };
 
-/// Thrown by Compressor::explore: the operand has too many states to be held. It stays as it is.
+/// Thrown by Compressor::explore if the operand has too many states to be stored. It is then not compressed.
 class TooManyStates : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// Makes machines smaller for the operational semantics.
+/// Reduces machines for the operational semantics.
 class Compressor {
 public:
     virtual ~Compressor() = default;
-    /// The operand explored by a faster engine than its terms, or a machine with fewer states that the compression
-    /// makes the same of; none if there is none for it. Throws TooManyStates. `poll` may throw to stop.
+    /// Explores the operand with a faster engine than its terms. The result may be a machine with fewer states, for
+    /// which the compression has the same result; no value if there is no such engine for it. Throws TooManyStates.
+    /// `poll` may throw to stop.
     virtual std::optional<Machine> explore(TermId /*operand*/, Compression /*kind*/,
                                            const std::function<void()>& /*poll*/) {
         return std::nullopt;
     }
-    /// A machine equal to the given one in every model that the compression claims to keep. `poll` may throw to stop.
+    /// A machine that is equal to `explored` in every model that the compression preserves. `poll` may throw to stop.
     virtual Machine compress(const Machine& explored, Compression kind, const std::function<void()>& poll) = 0;
 };
 

@@ -1,5 +1,5 @@
-// The statements of the rules are in firing_rules.cpp and composition_rules.cpp. Where a step has several derivations
-// (two operands that can both do it and stay as they are) the first operand is taken.
+// The rules are stated in firing_rules.cpp and composition_rules.cpp. If a step has several derivations (two operands
+// that can both perform it without a change of their states), the first operand is taken.
 #include "checker/process/derivation.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ private:
     [[nodiscard]] bool in_set(Event event) const {
         return event != tau && event != tick && terms_.contains(SetId{term_.payload}, event);
     }
-    /// A transition of the operand by `event`; to `target` if one is given. The same hidden name is preferred.
+    /// A transition of the operand with `event`; to `target` if one is given. The same hidden event is preferred.
     std::optional<Transition> move(std::size_t operand, Event event, std::optional<TermId> target) {
         std::optional<Transition> found;
         for (const Transition& each : semantics_.successors(term_.children[operand])) {
@@ -44,7 +44,7 @@ private:
                 return false;
         return true;
     }
-    /// All of these move by the step's event, and the operator stays.
+    /// All of these move with the step's event, and the operator stays.
     Found together(const std::vector<std::size_t>& movers) {
         if (!frame_stays() || !others_stay(movers)) return std::nullopt;
         Derivation result;
@@ -55,7 +55,7 @@ private:
         }
         return result;
     }
-    /// One moves by one of these events, and the operator stays.
+    /// One moves with one of these events, and the operator stays.
     Found alone(std::size_t operand, Event event) {
         if (!frame_stays() || !others_stay({operand})) return std::nullopt;
         const std::optional<Transition> own = move(operand, event, target_.children[operand]);
@@ -67,7 +67,7 @@ private:
             if (Found found = alone(i, step_.event)) return found;
         return std::nullopt;
     }
-    /// One moves and what it becomes is all that is left.
+    /// One moves, and its successor replaces the operator.
     Found resolved(std::size_t operand) {
         const std::optional<Transition> own = move(operand, step_.event, step_.target);
         if (!own) return std::nullopt;
@@ -78,14 +78,14 @@ private:
             if (Found found = resolved(i)) return found;
         return std::nullopt;
     }
-    /// Operand 0 moves by `event`, and operand 1 takes over.
+    /// Operand 0 moves with `event`, and operand 1 replaces the operator.
     Found handed_over(Event event) {
         if (step_.target != term_.children[1]) return std::nullopt;
         const std::optional<Transition> own = move(0, event, std::nullopt);
         if (!own) return std::nullopt;
         return Derivation{{{0, *own}}, 1, true};
     }
-    /// These tick, and nothing is left.
+    /// These terminate, and the result is Ω.
     Found terminated(const std::vector<std::size_t>& movers) {
         Derivation result;
         for (std::size_t each : movers) {
@@ -152,7 +152,7 @@ private:
 
     OperationalSemantics& semantics_;
     TermStore& terms_;
-    Term term_;  // copies: asking for successors may make new terms
+    Term term_;  // copies, because computing successors may create terms
     Term target_;
     Transition step_;
 };

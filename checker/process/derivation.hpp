@@ -1,5 +1,5 @@
-// The firing rules read backwards: which moves of a term's operands make one of its transitions. Private to
-// checker/process.
+// Applies the firing rules backwards: finds the moves of a term's operands that cause one of its transitions. Private
+// to checker/process.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,17 @@
 namespace robochart::process {
 
 struct Derivation {
-    std::vector<std::pair<std::size_t, Transition>> moves;  ///< operand, and what it did
-    /// The operand that goes on alone, where the operator is resolved by the step.
+    std::vector<std::pair<std::size_t, Transition>> moves;  ///< operand, and its transition
+    /// The operand that continues alone if the step resolves the operator.
     std::optional<std::size_t> survivor;
     bool starts = false;  ///< the survivor has not run before
 };
 
-/// As CSPM writes it.
+/// The name in CSPM.
 [[nodiscard]] std::string_view name_of(Compression kind);
-/// Operators whose steps come from their operands'.
+/// Whether the steps of the operator come from its operands.
 [[nodiscard]] bool is_operator(Op op);
-/// None where the step is not one of the term's, or comes from no operand.
+/// No value if the step is not one of the term's, or comes from no operand.
 [[nodiscard]] std::optional<Derivation> derivation(OperationalSemantics& semantics, TermId term,
                                                    const Transition& step);
 

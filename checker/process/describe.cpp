@@ -1,4 +1,4 @@
-// Process terms as people read them. Evaluates nothing, so that a report never fails.
+// Describes process terms for readers. Evaluates nothing, so that a report never fails.
 #include <string>
 #include <string_view>
 
@@ -9,7 +9,7 @@ namespace robochart::process {
 namespace {
 
 constexpr int deepest_description = 64;
-constexpr int largest_description = 250;  // terms looked at
+constexpr int largest_description = 250;  // maximal number of visited terms
 
 class Describer {
 public:
@@ -46,7 +46,7 @@ public:
                 return joined(term, " ⊓ ", depth);
             case Op::sync_interrupt:
                 return joined(term, " △ ", depth);
-            // These act by their first operand until it is left for good.
+            // These behave like their first operand until it ends.
             case Op::sequential:
             case Op::interrupt:
             case Op::sliding:
@@ -78,7 +78,8 @@ private:
         return text;
     }
 
-    /// By the term it stands for, or else by its number: a machine explored as a whole has no terms for its states.
+    /// The description of the term that it represents, or else its number: a machine explored as a whole has no terms
+    /// for its states.
     std::string machine_state(const Term& state, int depth) {
         const Term& compressed = terms_[state.children[1]];
         if (state.children[0] != compressed.children.front()) return describe(state.children[0], depth + 1);
@@ -92,7 +93,7 @@ private:
                op == Op::internal_choice || op == Op::sync_interrupt;
     }
 
-    /// The first events that a prefix offers: its definition's name is not at hand any more.
+    /// The first events that a prefix offers, because the name of its definition is unknown here.
     std::string prefix(const Term& term) const {
         constexpr std::size_t shown = 3;
         const std::vector<Branch>* branches = terms_.known_branches(term.payload);

@@ -1,6 +1,7 @@
-// Firing rules after Roscoe, "Understanding Concurrent Systems" (UCS), chapter 9 and 20, and the FDR 4.2 manual,
-// "Defining Processes" and "Built-In Definitions". In the comments x is any action, a a visible event or tick unless
-// said otherwise. FDR's rule for termination holds throughout: P --✓--> always ends in Ω, which does nothing.
+// Firing rules after Roscoe, "Understanding Concurrent Systems" (UCS), chapters 9 and 20, and the FDR 4.2 manual,
+// "Defining Processes" and "Built-In Definitions". In the comments x is any action, and a is a visible event or tick
+// unless stated otherwise. FDR's rule for termination holds throughout: P --✓--> always ends in Ω, which has no
+// transitions.
 #include "checker/process/firing_rules.hpp"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ void drop_repeated_targets_of_few(std::vector<Transition>& list) {
     list.resize(kept, Transition{tau, tau, TermId{0}});
 }
 
-/// Within one event, keeps the first transition to each target.
+/// Among the transitions with one event, keeps the first to each target.
 void drop_repeated_targets(std::vector<Transition>& list) {
     std::unordered_set<std::uint32_t> seen;
     Event event = 0;
@@ -142,7 +143,7 @@ void FiringRules::stop_family(const Term& term, List& list) {
         case Op::skip:
             list.push_back({tick, tick, omega_});
             break;
-        // FDR manual: DIV performs taus for ever. DIV --τ--> DIV.
+        // FDR manual: DIV performs taus forever. DIV --τ--> DIV.
         case Op::div:
             list.push_back({tau, tau, terms_.make(term)});
             break;
@@ -207,8 +208,8 @@ void FiringRules::unary_family(const Term& term, List& list) {
         list.assign(steps.begin(), steps.end());
     };
     switch (term.op) {
-        // A name stands for its body. UCS 9.2 unfolds recursion by a tau; FDR does not, and no model tells them apart
-        // where every recursion reaches an event.
+        // A name has the transitions of its body. UCS 9.2 unfolds recursion by a tau; FDR does not, and no model
+        // distinguishes them if every recursion reaches an event.
         case Op::call:
             copy(terms_.unfold(term.payload));
             break;
@@ -230,14 +231,14 @@ void FiringRules::unary_family(const Term& term, List& list) {
         case Op::machine:
             throw std::logic_error("a state of a machine that another semantics has made");
         default:
-            // FDR manual, "Compression": a compression keeps the value of its operand in the models it supports. The
-            // identity keeps all.
+            // FDR manual, "Compression": a compression preserves the value of its operand in the models that it
+            // supports. The identity preserves all models.
             refuse_unsupported(term);
             copy(term.children.front());
     }
 }
 
-// FDR manual: RUN(A) offers all of A for ever. RUN(A) --a--> RUN(A), a ∈ A.
+// FDR manual: RUN(A) offers all of A forever. RUN(A) --a--> RUN(A), a ∈ A.
 // CHAOS(A) after its choice to offer: --a--> CHAOS(A), a ∈ A.
 void FiringRules::run(const Term& term, List& list) {
     const Op next = term.op == Op::run ? Op::run : Op::chaos;

@@ -1,4 +1,4 @@
-// The firing rules of every operator, each beside its published statement. Private to checker/process.
+// The firing rules of every operator, each with its published statement. Private to checker/process.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@ public:
     [[nodiscard]] virtual std::span<const Transition> of(TermId) const = 0;
 };
 
-/// Throws SemanticsError for `deter` and the watchdogs, which are no compressions in this sense.
+/// Throws SemanticsError for `deter` and the watchdogs, which are not compressions in this sense.
 void refuse_unsupported(const Term& compressed);
 
 /// Derives a term's transitions from those of its operands.
@@ -26,11 +26,11 @@ class FiringRules {
 public:
     FiringRules(TermStore& terms, const KnownTransitions& known);
 
-    /// An operand whose transitions are needed next and are not known; none if transitions() can be called.
+    /// An operand whose transitions are needed next and are not known; no value if transitions() can be called.
     std::optional<TermId> missing_operand(TermId);
-    /// Ordered by event; no repetitions.
+    /// Sorted by event, without duplicates.
     std::vector<Transition> transitions(TermId);
-    /// Called now and then where a term has many transitions; may throw to stop. Empty: none.
+    /// `poll` is called regularly if a term has many transitions; it may throw to stop. Empty: none.
     void watch(std::function<void()> poll) { poll_ = std::move(poll); }
 
 private:
@@ -65,7 +65,7 @@ private:
 
     [[nodiscard]] bool performs(TermId, Event) const;
     [[nodiscard]] std::span<const Transition> by_event(TermId, Event) const;
-    /// The operand that chase acts as: the end of its first taus, or a state on a tau loop.
+    /// The operand that determines the behaviour of chase: the end of its first taus, or a state on a tau loop.
     [[nodiscard]] TermId end_of_chase(TermId operand) const;
     TermId with_operand(const Term&, std::size_t position, TermId operand);
     void synchronise_all(const Term&, const std::vector<std::size_t>& participants, List&);
@@ -78,7 +78,7 @@ private:
     Term scratch_;
     TermId omega_;
     TermId stop_;
-    std::vector<std::vector<std::uint32_t>> levels_;  // per order, the level of each event
+    std::vector<std::vector<std::uint32_t>> levels_;  // by order: the level of each event
 };
 
 }  // namespace robochart::process

@@ -1,5 +1,5 @@
-// Memoised transitions of terms. Dependencies are computed with a stack of our own, so that deep terms cost heap,
-// not machine stack, and recursion without an event is found instead of followed.
+// Memoised transitions of terms. Dependencies are computed with an explicit stack, so that deep terms use the heap and
+// not the machine stack, and recursion without an event is detected.
 #include "checker/process/operational_semantics.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 namespace robochart::process {
 namespace {
 
-/// Definitions that unfold each other this often without an event, or operators nested this deep, are taken for
+/// Definitions that unfold each other this often without an event, or operators nested this deep, are assumed to be
 /// endless.
 constexpr std::size_t deepest_nesting = 1'000'000;
 
@@ -110,7 +110,7 @@ void OperationalSemantics::Impl::compute(TermId root) {
     }
 }
 
-/// All states that the operand reaches, breadth first.
+/// All reachable states of the operand in breadth-first order.
 Machine OperationalSemantics::Impl::explored(TermId operand) {
     Machine machine;
     std::unordered_map<std::uint32_t, std::uint32_t> numbers;
@@ -132,7 +132,7 @@ Machine OperationalSemantics::Impl::explored(TermId operand) {
     return machine;
 }
 
-/// What the compression makes of its operand; none if the operand has too many states.
+/// The compressed operand; no value if the operand has too many states.
 std::optional<Machine> OperationalSemantics::Impl::smaller(TermId term) {
     constexpr int deepest = 200;
     refuse_unsupported(terms[term]);
@@ -156,7 +156,8 @@ std::optional<Machine> OperationalSemantics::Impl::smaller(TermId term) {
     return result;
 }
 
-/// The transitions of the compressed machine's initial state; its other states become terms that are known at once.
+/// The transitions of the compressed machine's initial state; its other states become terms whose transitions are
+/// known.
 std::vector<Transition> OperationalSemantics::Impl::compressed(TermId term) {
     const std::optional<Machine> made = smaller(term);
     if (!made) {
@@ -167,7 +168,7 @@ std::vector<Transition> OperationalSemantics::Impl::compressed(TermId term) {
         return {same.begin(), same.end()};
     }
     const Machine& machine = *made;
-    // A state's children: a term it stands for, the compressed term, and the first state unless it is that.
+    // A state's children: a term that it represents, the compressed term, and the first state unless it is the first.
     std::vector<TermId> states;
     for (TermId meaning : machine.meaning) {
         std::vector<TermId> operands{meaning, term};

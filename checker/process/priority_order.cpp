@@ -13,7 +13,7 @@ bool contains(const EventSet& set, Event event) {
     return std::binary_search(set.begin(), set.end(), event);
 }
 
-/// The events that chains of pairs lead to.
+/// The events that are reachable by chains of pairs.
 std::set<Event> reached(const Below& direct, Event from) {
     std::set<Event> found;
     std::vector<Event> work{from};

@@ -10,22 +10,22 @@ namespace robochart::process {
 /// The event neither prevents nor is prevented.
 inline constexpr std::uint32_t no_level = 0xffffffffU;
 
-/// Per event its level in the order of a prioritise; events beyond the end have none (no_level).
+/// For each event its level in the order of a prioritise; events after the end of the vector have none (no_level).
 [[nodiscard]] std::vector<std::uint32_t> levels_of(const PriorityOrder& order);
 
-/// Why events and pairs are no order that prioritisepo takes.
+/// Why events and pairs are not an order that prioritisepo accepts.
 struct OrderFault {
     enum class Kind {
         missing,      ///< the event is in a pair or maximal, but not among the prioritised events
-        cyclic,       ///< the event lies above itself
-        not_maximal,  ///< the event is called maximal and lies below another
+        cyclic,       ///< the event is above itself
+        not_maximal,  ///< the event is declared maximal and is below another
     };
     Kind kind;
     Event event;
 };
 
-/// All pairs (higher, lower), ascending: chains of the given ones; tau and tick lie above every prioritised event that
-/// is not maximal. The sets are ascending.
+/// All pairs (higher, lower), ascending: the transitive closure of the given ones; tau and tick are above every
+/// prioritised event that is not maximal. The sets must be ascending.
 [[nodiscard]] std::variant<Renaming, OrderFault> priority_order(const EventSet& prioritised,
                                                                 const std::vector<EventPair>& pairs,
                                                                 const EventSet& maximal);

@@ -1,5 +1,5 @@
-// Hash-consed terms, event sets, renamings and priority orders. Ids are given in the order of creation, so
-// they depend on the calls alone, never on addresses or on the order of a hash table.
+// Hash-consed terms, event sets, renamings and priority orders. Ids are assigned in the order of creation, so they
+// depend only on the calls, never on addresses or on the order of a hash table.
 #include "checker/process/term.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ void sort_unique(std::vector<T>& items) {
     items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
-/// Values numbered in the order of their first appearance.
+/// Values numbered in the order of first appearance.
 template <class Value, class Id>
 class Interner {
 public:
@@ -56,13 +56,13 @@ struct TermStore::Impl {
     std::vector<std::uint32_t> hashes;
     std::vector<std::uint32_t> slots = std::vector<std::uint32_t>(1024, empty_slot);
     Interner<EventSet, SetId> sets;
-    std::vector<std::vector<bool>> members;  // per set, a bit for every event up to its largest
+    std::vector<std::vector<bool>> members;  // by set: a bit for every event up to its largest
     Interner<Renaming, RenamingId> renamings;
     Interner<PriorityOrder, OrderId> orders;
     std::vector<std::optional<TermId>> unfoldings;
     std::deque<std::optional<std::vector<Branch>>> branches;
 
-    /// The slot that holds an equal term, or the free one where it belongs.
+    /// The slot that contains an equal term, or the free one where it belongs.
     std::size_t find_slot(const Term& term, std::uint32_t hash) const {
         const std::size_t mask = slots.size() - 1;
         std::size_t slot = hash & mask;
@@ -154,7 +154,7 @@ TermId TermStore::unfold(std::uint32_t call) {
     std::vector<std::optional<TermId>>& known = impl_->unfoldings;
     if (call >= known.size()) known.resize(call + 1U);
     if (!known[call]) {
-        const TermId body = definitions_->unfold(call);  // may come back here and grow `known`
+        const TermId body = definitions_->unfold(call);  // may call this function recursively and grow `known`
         impl_->unfoldings[call] = body;
     }
     return *impl_->unfoldings[call];

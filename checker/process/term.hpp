@@ -1,5 +1,5 @@
-// Process terms: hash-consed CSP operator trees over integer events. The CSPM evaluator builds them,
-// the operational semantics steps them, the compiler turns them into machines. Equal terms have equal ids.
+// Process terms: hash-consed CSP operator trees over integer events. The CSPM evaluator builds them, the operational
+// semantics executes them, the compiler converts them to machines. Equal terms have equal ids.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ using lts::tau;
 using lts::tick;
 
 using EventPair = std::pair<Event, Event>;
-using Renaming = std::vector<EventPair>;  ///< ascending (from, to); events not named keep their name
+using Renaming = std::vector<EventPair>;  ///< ascending (from, to); other events keep their name
 
 enum class TermId : std::uint32_t {};
 enum class SetId : std::uint32_t {};
@@ -31,7 +31,7 @@ enum class Op : std::uint8_t {
     stop,
     skip,
     div,
-    omega,  ///< after tick: does nothing
+    omega,  ///< the state after tick, without transitions
     run,
     chaos,   ///< set
     call,    ///< payload: Definitions call; unfolds without a tau
@@ -45,18 +45,21 @@ enum class Op : std::uint8_t {
     sync_choice,      ///< [+ set +], n children
     sync_interrupt,   ///< P /+ set +\ Q
     parallel,         ///< n children, all synchronise on `set` and on tick (interleaving: empty set)
-    alphabetised,     ///< n children, `sets` one alphabet each; event needs all whose alphabet has it; tick needs all
+    alphabetised,     ///< n children, one alphabet for each in `sets`; an event needs all whose alphabet contains it;
+                      ///< tick needs all
     hide,
     rename,            ///< one child; set / renaming
     prioritise,        ///< one child; order
-    prioritise_order,  ///< one child; payload: the pairs (higher, lower) of priority_order, kept as a renaming
-    chase,             ///< one child: every tau is followed at once, the first of several
-    compress,     ///< one child; payload: Compression. Meaning: the child's, up to the models the compression keeps
-    machine,      ///< a state of a compressed machine; one child: a term it stands for; made by the semantics only
-    chaos_offer,  ///< set: the state of chaos(set) that offers the whole set; made by the firing rules only
+    prioritise_order,  ///< one child; payload: the pairs (higher, lower) of priority_order, stored as a renaming
+    chase,             ///< one child: every tau is followed at once, the first one if there are several
+    compress,          ///< one child; payload: Compression. Meaning: the child's, in the models that the compression
+                       ///< preserves
+    machine,           ///< a state of a compressed machine; one child: a term that it represents; created only by the
+                       ///< semantics
+    chaos_offer,       ///< set: the state of chaos(set) that offers the whole set; created only by the firing rules
 };
 
-/// The compressions of FDR by name; docs/cspm.md says what each is here.
+/// The compressions of FDR by name; docs/cspm.md describes each of them here.
 enum class Compression : std::uint32_t {
     normal,
     sbisim,
@@ -68,14 +71,15 @@ enum class Compression : std::uint32_t {
     explicate,
     deter,
     lazyenumerate,
-    // Known by name alone: whoever asks what they do is refused. `sets` holds the watchdog's alphabet and event.
+    // Only their names are supported: computing their transitions is an error. `sets` contains the watchdog's alphabet
+    // and event.
     trace_watchdog,
     failure_watchdog
 };
 
-/// Priorities for `prioritise`: level 0 first. Tau and tick rank with level 0. Events in no level are incomparable:
-/// they neither cut nor are cut. A state's event of level k>0 is kept only if no tau, tick or event of a lower-numbered
-/// level is possible. An event listed twice has its first level.
+/// Priorities for `prioritise`: level 0 first. Tau and tick have level 0. Events in no level are incomparable: they
+/// prevent nothing and are never prevented. A state's event of level k>0 is kept only if no tau, tick or event of a
+/// lower-numbered level is possible. An event listed twice has its first level.
 using PriorityOrder = std::vector<EventSet>;
 
 /// An operator with its children; equal terms have one TermId.
@@ -87,14 +91,15 @@ struct Term {
     friend bool operator==(const Term&, const Term&) = default;
 };
 
-/// One event of a prefix and the term behind it.
+/// One event of a prefix and the term after it.
 struct Branch {
     Event event;
     TermId target;
 };
 
-/// What the terms' names mean; the CSPM evaluator implements it. Results are fixed: called at most once per index
-/// by the term store, which keeps them. Errors of evaluation are thrown as EvaluationError.
+/// The definitions of the names in terms; the CSPM evaluator implements them. Results must not change: the term store
+/// calls each function at most once for each index and stores the result. Evaluation errors are thrown as
+/// EvaluationError.
 class Definitions {
 public:
     virtual ~Definitions() = default;
@@ -125,10 +130,10 @@ public:
 
     void define(Definitions& definitions) { definitions_ = &definitions; }
     TermId unfold(std::uint32_t call);  ///< memoised
-    /// What calls lead to: the first term that is none, or the last of so many unfoldings.
+    /// Unfolds calls: returns the first term that is not a call, or the last one after `most` unfoldings.
     TermId unfolded(TermId term, int most);
     const std::vector<Branch>& branches(std::uint32_t prefix);  ///< memoised
-    /// The branches if they have been asked for already; evaluates nothing.
+    /// The branches if they have already been computed; evaluates nothing.
     [[nodiscard]] const std::vector<Branch>* known_branches(std::uint32_t prefix) const;
     [[nodiscard]] const Definitions& definitions() const { return *definitions_; }
     [[nodiscard]] EventTable& events() { return events_; }

@@ -6,7 +6,7 @@
 
 namespace robochart::process {
 
-/// The operational semantics of one term. Shares the store's terms and the semantics' memory with other systems.
+/// The operational semantics of one term. Shares the store's terms and the semantics' cache with other systems.
 class TermSystem final : public lts::TransitionSystem {
 public:
     TermSystem(OperationalSemantics& semantics, TermId initial) : semantics_(semantics), initial_(initial) {}
