@@ -1,4 +1,4 @@
-// Answers of an earlier session are used for the same processes, and for no others.
+// Cached answers of an earlier session are used for the same processes only.
 #include "checker/cspm/earlier_answers.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using refine::Outcome;
 
-/// Two cells, a specification that is run as terms, and one that is compiled.
+/// Two cells, a specification that is evaluated as terms, and one that is compiled.
 const std::string script = R"(channel in, mid, out : {0..2}
 Cell(a, b) = a?x -> b!x -> Cell(a, b)
 Two = Cell(in, mid) [|{|mid|}|] Cell(mid, out)
@@ -75,8 +75,8 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 TEST_F(EarlierAnswersTest, TheSameQuestionsAreKnown) {
     const Answers without = check(script, false);
-    // Two without mid holds at most two values, in order. The cells apart can do mid.0 first. Nothing stops Two, hidden
-    // it goes round for ever, and each event leads to one state.
+    // Two without mid contains at most two values, in order. The separate cells can perform mid.0 first. Two never
+    // deadlocks; with all events hidden it diverges; and each event leads to one state.
     EXPECT_EQ(without.outcomes, "hfhfh");
     const Answers first = check(script);
     EXPECT_EQ(first.known, "nnnnn");
@@ -95,7 +95,7 @@ TEST_F(EarlierAnswersTest, EditsThatChangeNoProcessChangeNoQuestion) {
 
 TEST_F(EarlierAnswersTest, WhatAnEditChangesIsAskedAgain) {
     (void)check(script);
-    // A buffer for one value is none for two: only the first assertion is about it.
+    // A buffer for one value does not admit two values; only the first assertion depends on the buffer.
     const Answers smaller = check(replaced(script, "#s < 3", "#s < 1"));
     EXPECT_EQ(smaller.outcomes, "ffhfh");
     EXPECT_EQ(smaller.known, "nyyyy");
@@ -116,7 +116,7 @@ TEST_F(EarlierAnswersTest, TheModelIsPartOfAQuestion) {
     (void)check(script);
     const Answers failures = check(replaced(script, "Buffer(<>) [T=", "Buffer(<>) [F="));
     EXPECT_EQ(failures.known, "nyyyy");
-    // After one value the buffer must take another; so do two cells.
+    // After one value the buffer must accept another; so must two cells.
     EXPECT_EQ(failures.outcomes, "ffhfh") << "the specification offers a third value while Two holds two";
 }
 
@@ -138,7 +138,7 @@ TEST_F(EarlierAnswersTest, FindingsThatAreNotConfirmedAreNotUsed) {
     const auto key = key_of(
         question, [] {}, std::nullopt);
     ASSERT_TRUE(key);
-    // Two does not deadlock where it begins.
+    // Two does not deadlock in its initial state.
     std::vector<lts::Word> initial(system->width());
     system->initial(initial);
     refine::Findings wrong;
@@ -153,7 +153,7 @@ TEST_F(EarlierAnswersTest, FindingsThatAreNotConfirmedAreNotUsed) {
 }
 
 TEST_F(EarlierAnswersTest, ASpecificationThatCannotBeSeenAsAWholeHasNoKey) {
-    const std::string endless = replaced(script, "#s < 3 & ", "");  // a buffer without bound
+    const std::string endless = replaced(script, "#s < 3 & ", "");  // an unbounded buffer
     EXPECT_EQ(check(endless).known, "nnnnn");
     const Answers again = check(endless);
     EXPECT_EQ(again.known, "nyyyy");

@@ -1,4 +1,4 @@
-// Asking small scripts: the outcomes of their assertions, values, faults.
+// Functions that evaluate small scripts: outcomes of assertions, values, errors.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ inline Failure failure(const std::string& text, const std::string& name) {
     }
 }
 
-/// The fault of looking at the process X.
+/// The error from exploring the process X.
 inline std::string process_failure(const std::string& text) {
     const Reading reading(text + "assert X :[deadlock free]\n");
     EXPECT_TRUE(reading.ok()) << reading.report();

@@ -1,5 +1,5 @@
-// Whole scripts against the naive reference: random processes printed as CSPM, read, type checked, evaluated, compiled
-// and compressed as any user's script is, with their assertions decided one by one.
+// Whole scripts compared with the naive reference. Random processes are printed as CSPM, then parsed, type checked,
+// evaluated, compiled and compressed as a user's script is, and their assertions are decided one by one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,17 +18,17 @@ using refine::Graphs;
 using refine::Outcome;
 using refine::RandomCases;
 
-/// Compressions may change what chase follows.
+/// A compression may change which tau `chase` follows.
 bool has_one_meaning(const Case& asked) {
     std::string text = show(asked.script);
-    text.erase(0, text.find("channel"));  // what the script declares it need not use
+    text.erase(0, text.find("channel"));  // skip the declarations, which the script may not use
     const auto used = [&](const std::string& word) { return text.find(word) != std::string::npos; };
     const std::vector<std::string> compressions{"normal(",    "bisim(",     "diamond(",      "_factor(",
                                                 "_compress(", "explicate(", "lazyenumerate("};
     return !used("chase(") || std::none_of(compressions.begin(), compressions.end(), used);
 }
 
-/// What is wrong with the script's answers, if anything.
+/// The first wrong answer of the script, if any.
 std::optional<std::string> fault(const Case& asked, const Graphs& graphs, int& checks) {
     Reading reading(refine::cspm(asked));
     if (reading.ok()) (void)check_types(reading.script, reading.diagnostics);

@@ -1,7 +1,7 @@
-// Assertions of whole scripts decided by ranks, by programs with two ranks each, and on disk: answers, lengths of runs
-// and, where they hold, figures of the ordinary search, and one and the same counterexample for every number of ranks
-// and wherever they and their rows are. ROBOCHART_RANKED_SCRIPTS names a folder whose scripts, and those in folders
-// below, are compared too.
+// Assertions of whole scripts decided by ranks, by programs with two ranks each, and on disk. Answers, lengths of
+// counterexamples and (if the assertion holds) figures must be those of the ordinary search. The counterexample must be
+// the same for every number and distribution of ranks and for every place of their rows. ROBOCHART_RANKED_SCRIPTS names
+// a folder whose scripts, including those in subfolders, are compared too.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ using refine::everything;
 using refine::Outcome;
 using refine::Verdict;
 
-/// Figures only where all states are seen: also a negated assertion holds by a counterexample.
+/// Compares figures only if all states are visited. A negated assertion may hold because of a counterexample.
 std::string in_common(const Verdict& verdict) {
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
     if (verdict.outcome == Outcome::holds && !verdict.counterexample)
@@ -35,7 +35,7 @@ std::string in_common(const Verdict& verdict) {
            std::to_string(verdict.counterexample->steps.size());
 }
 
-/// The answer, or the error of evaluation.
+/// The answer, or the evaluation error.
 std::string answer(Session& session, const Decl& assertion, const refine::Limits& limits,
                    std::string (*shown)(const Verdict&)) {
     try {
@@ -45,7 +45,7 @@ std::string answer(Session& session, const Decl& assertion, const refine::Limits
     }
 }
 
-/// How many assertions were compared.
+/// Returns the number of assertions that were compared.
 std::size_t compare(const std::filesystem::path& file) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics found;

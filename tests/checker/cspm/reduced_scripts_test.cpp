@@ -1,6 +1,6 @@
-// Processes of whole scripts are equal to their reduced forms by branching bisimilarity with explicit divergence
-// (docs/search.md, "Confluent taus"). ROBOCHART_REDUCED_SCRIPTS names a folder whose scripts are compared too:
-// benchmarks/decide_components.py --keep FOLDER writes those of a suite.
+// Processes of whole scripts are equivalent to their reduced forms under branching bisimilarity with explicit
+// divergence (docs/search.md, "Confluent taus"). ROBOCHART_REDUCED_SCRIPTS names a folder whose scripts are compared
+// too: benchmarks/decide_components.py --keep FOLDER writes those of a suite.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -21,7 +21,7 @@ struct Compared {
     std::size_t processes = 0, smaller = 0, too_large = 0, states = 0, kept = 0;
 };
 
-/// The process that each assertion is about; of a refinement the specification.
+/// Compares the process of each assertion; for a refinement, the specification.
 void compare(Session& session, Compared& compared) {
     std::string last;
     for (const DeclPtr& assertion : session.assertions()) {

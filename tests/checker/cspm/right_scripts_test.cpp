@@ -1,5 +1,5 @@
-// Scripts from outside that were answered right, read from the folder of shared scripts where it is at hand. Each
-// verdict was derived from what the script describes; where that is not plain the argument stands beside it.
+// Third-party scripts with known verdicts, read from the folder of shared scripts if it is present. Each verdict was
+// derived from the system that the script describes; comments give the less obvious arguments.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -18,30 +18,30 @@ struct RightScript {
 };
 
 constexpr std::array right_scripts{
-    // At most one eats, and the odd number that the even one reads again and again makes the hidden system diverge.
+    // At most one mathematician eats. The even one reads the odd number indefinitely, so the hidden system diverges.
     RightScript{"csp_mathematicians.csp", "hhh"},
-    // Four round a table can each take one fork, but not with three seats; with all hidden they eat for ever.
+    // Four philosophers at a table can take one fork each, but not if there are three seats. With all events hidden
+    // they eat forever.
     RightScript{"csp_philosophers_spy.csp", "hhhhf"},
-    // Each assertion is worded as it should hold; remainders are never negative, quotients are rounded down.
+    // Each assertion is stated so that it should hold; remainders are never negative, quotients are rounded down.
     RightScript{"csp_questions.csp", "hhhhhhhhhhhhhhhhh"},
-    // The specification of the confirmation offers both indications at once, which the protocol does not; messages are
-    // lost or not, so that it is not deterministic, and it confirms more than C_OK.
+    // The confirmation's specification offers both indications at once, which the protocol does not. Messages may be
+    // lost, so the protocol is not deterministic, and it confirms more than C_OK.
     RightScript{"models/brp.csp", "hhhfff"},
-    // With `leave` renamed nobody leaves twice, which is safe; time alone, hidden, is a divergence.
+    // With `leave` renamed no process leaves twice, which is safe. Time alone, when hidden, is a divergence.
     RightScript{"models/il.csp", "hhhhfh"},
-    // Once it is elected, every node names any leader: more than leader.3 comes, but not first.
+    // After the election, every node names any leader: events other than leader.3 occur, but not first.
     RightScript{"models/leader.csp", "fhhhfh"},
-    // Without priority the cabin passes a floor whose button is pressed; between floors `idle` may go on for ever; a
-    // watch that offers everything is refused something by any lift.
+    // Without priority the cabin passes a floor whose button is pressed. Between floors `idle` may go on forever. Every
+    // lift refuses some event of a watch that offers all events.
     RightScript{"models/lift.csp", "fhhfhf"},
-    // One operator each. Behind x and y the interrupting process still does z; a process that diverges or ends is
-    // within
-    // CHAOS, so that the negated claim fails.
+    // One operator for each assertion. After x and y the interrupting process still performs z. A process that diverges
+    // or terminates refines CHAOS, so the negated claim fails.
     RightScript{"models/ops.csp", "hhhhfhhhhhhhhff"},
-    // The gate may close late, since only hidden steps are urgent.
+    // The gate may close late, because only hidden steps are urgent.
     RightScript{"models/rail.csp", "ffhhhh"},
-    // What is high is hidden and abstracted: the lock shows it, copies do not; what hides all of it without the
-    // abstraction is never stable.
+    // High events are hidden and abstracted: the lock reveals them, copies do not. A process that hides all of them
+    // without the abstraction is never stable.
     RightScript{"models/sec.csp", "fhffhf"},
 };
 

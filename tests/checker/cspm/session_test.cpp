@@ -1,4 +1,4 @@
-// Whole scripts with the verdicts of their assertions; the argument for each verdict stands beside it.
+// Whole scripts with the verdicts of their assertions; comments give the argument for each verdict.
 #include "checker/cspm/session.hpp"
 
 #include <gtest/gtest.h>
@@ -61,8 +61,8 @@ assert Small::Zero :[has trace [T]]: <Small::get.0>
                     "hfh");
 }
 
-// In a timed section with zero durations tock is always possible beside an event that waits, and
-// timed_priority lets no time pass while a tau is possible (semantics 3.10).
+// In a timed section with zero durations, tock is always possible next to a waiting event, and timed_priority lets no
+// time pass while a tau is possible (semantics 3.10).
 std::vector<AssertionResult> results(const std::string& text, const refine::Limits& limits) {
     Reading reading(text);
     (void)check_types(reading.script, reading.diagnostics);
@@ -73,8 +73,8 @@ std::vector<AssertionResult> results(const std::string& text, const refine::Limi
     return all;
 }
 
-// Five components of three hidden steps: 4^5 states in all, of which one is left where confluent taus are followed. A
-// trace is there in the reduced form if it is there in the whole.
+// Five components with three hidden steps each: 4^5 states, of which one remains if confluent taus are followed. The
+// reduced form has a trace if and only if the whole has it.
 TEST(SessionTest, ATraceIsLookedForInTheReducedForm) {
     const std::string text = R"(channel step : {0..4}.{0..2}
 channel done, other
@@ -104,8 +104,8 @@ assert System :[has trace [F]]: <done, done>
     EXPECT_EQ(shown.steps.size(), whole.at(1).verdict.counterexample.value().steps.size()) << "the shortest run";
 }
 
-// A reader's hidden step keeps the writer out, so no proof for it succeeds. Each failing proof looks at thousands of
-// states of the lock and the readers; the search must go on without them.
+// A reader's hidden step keeps the writer out, so no confluence proof for it succeeds. Each failed proof examines
+// thousands of states of the lock and the readers, so the search must stop trying.
 TEST(SessionTest, AReductionWhoseProofsFailIsGivenUp) {
     const std::string text = R"(R = {1..8}
 channel begin, read, end : R
@@ -121,11 +121,13 @@ assert (((||| r : R @ Reader(r)) ||| Writer) [| Locking |] Lock(0, false)) \ Loc
     limits.reduction = true;
     const refine::Verdict verdict = results(text, limits).at(0).verdict;
     EXPECT_EQ(verdict.outcome, refine::Outcome::holds);
-    EXPECT_EQ(verdict.statistics.states, 6563U);  // 3^8 ways of readers, and the writer before and after it writes
+    EXPECT_EQ(verdict.statistics.states, 6563U);  // 3^8 states of the readers, and the writer's states before and after
+                                                  // it writes
     EXPECT_EQ(verdict.statistics.chased, 0U);
 }
 
-// Each way to begin leads to components of its own: taken apart it would have some hundred, for a dozen states.
+// Each initial event leads to different components: decomposition would create several hundred components for a dozen
+// states.
 TEST(SessionTest, AProcessOfFewStatesIsNotTakenApart) {
     Reading reading(R"(channel a, b, c : {0..3}
 channel stop
@@ -137,7 +139,7 @@ Small = a?x -> b?y -> c?z -> ((stop -> SKIP ||| stop -> SKIP) ; Small)
     EXPECT_TRUE(session.system(build::name("Small"))->states_are_terms());
 }
 
-/// Making instances copies what they are made of: the budget is asked meanwhile.
+/// An instance is a copy of its module's declarations. The budget is polled while instances are created.
 TEST(SessionTest, InstancesAreMadeWithinABudget) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;
@@ -153,7 +155,7 @@ TEST(SessionTest, InstancesAreMadeWithinABudget) {
     EXPECT_THROW((void)check_types(script, findings), diagnostics::LimitReached);
 }
 
-/// P has a thousand states on its own, of which the whole reaches five: the bound is on those of the check.
+/// P alone has a thousand states, of which the whole reaches five: the limit applies to the states of the check.
 TEST(SessionTest, LargeComponentsWithinSmallChecksAreDecided) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;
@@ -224,7 +226,7 @@ assert P :[has trace [T]]: <a>
                     "hhf");
 }
 
-// c$x is an internal choice of x, c?x leaves it to the environment.
+// c$x chooses x internally, c?x leaves the choice to the environment.
 TEST(SessionTest, NondeterministicInput) {
     expect_outcomes(R"(channel c : {0,1}
 assert c?x -> STOP [F= c$x -> STOP
@@ -233,7 +235,7 @@ assert c$x -> STOP [F= c?x -> STOP
                     "fh");
 }
 
-// A lambda that comes round again is the same value, so R's recursion is one state.
+// A lambda that is passed around a recursion stays the same value, so R's recursion is one state.
 TEST(SessionTest, FunctionsAsArgumentsHaveOneIdentity) {
     expect_outcomes(R"(channel c : {0..3}
 Q(k) = c.k -> Q(k)
@@ -274,7 +276,7 @@ TEST(SessionTest, FaultsAreNamed) {
               "2 is not a value of its field in c.2 (the field's type is {0, 1})");
 }
 
-// The second question meets what the first left half evaluated.
+// The second evaluation encounters values that the first one left half evaluated.
 TEST(SessionTest, AFaultIsTheSameWhenAskedAgain) {
     const Reading reading(R"(channel c : {0..1/0}
 datatype D = A.{0..1/0}
@@ -303,13 +305,13 @@ TEST(SessionTest, RoboToolTimedAssertions) {
     diagnostics::Diagnostics found;
     Session session(read_file(sources, file.string(), found));
     ASSERT_TRUE(found.ok());
-    // The script's authors state that model and specification are equal (A0, A2: both directions in FD);
-    // A1 and A3 say it again in tick-tock, through prioritisepo.
+    // The script's authors state that model and specification are equal (A0, A2: both directions in FD). A1 and A3
+    // state the same in tick-tock, through prioritisepo.
     for (const DeclPtr& assertion : session.assertions()) {
         if (assertion->assertion.model != Model::failures_divergences) continue;
         EXPECT_EQ(session.check(*assertion, {}).verdict.outcome, refine::Outcome::holds);
     }
-    // A specification that does nothing at all is not one of Spec's.
+    // A process without events is not a specification that Spec refines.
     const ExprPtr nothing = build::call("RUN", {build::set({})});
     const Decl wrong = *build::assert_refines(nothing, Model::failures_divergences, build::name("Spec"));
     EXPECT_EQ(session.check(wrong, {}).verdict.outcome, refine::Outcome::fails);

@@ -40,7 +40,7 @@ struct PublishedScript {
     std::string file;         ///< below suite/cspm
 };
 
-/// All rows, in order; the heading is left out.
+/// All rows, in order, without the heading.
 inline std::vector<PublishedScript> published_scripts(const std::filesystem::path& suite) {
     std::vector<PublishedScript> result;
     std::ifstream table(suite / "EXPECTED.tsv");

@@ -1,4 +1,4 @@
-// Descriptions with places for values that are left out.
+// Process descriptions with placeholders for omitted values.
 #include "checker/cspm/whole_run.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Whether two explored systems are bisimilar.
+// Decides whether two explored systems are bisimilar.
 #pragma once
 
 #include <stdexcept>
@@ -21,7 +21,7 @@ inline Graph graph_of(TransitionSystem& system, std::size_t most_states) {
         .graph;
 }
 
-/// Both graphs below a common root, which is minimised: are their initial states equal?
+/// Minimises the union of both graphs, and compares the classes of their initial states.
 inline bool bisimilar(const Graph& a, const Graph& b, Equivalence equivalence = Equivalence::strong) {
     Graph both;
     const auto after = static_cast<StateIndex>(1 + a.size());

@@ -1,5 +1,5 @@
-// Minimisation: known quotients, the strong one against the greatest bisimulation by elimination of pairs, and both
-// against the models they keep, on random processes.
+// Minimisation: known quotients; strong bisimulation compared with the greatest bisimulation, computed by eliminating
+// pairs; and preservation of the models, on random processes.
 #include "checker/lts/bisimulation.hpp"
 
 #include <gtest/gtest.h>
@@ -52,10 +52,11 @@ TEST(Bisimulation, KeepsTheMomentOfChoice) {
 
 TEST(Bisimulation, BranchingRemovesInertTausOnly) {
     EXPECT_EQ(minimise(graph_of({{{tau, 1}}, {{tau, 2}}, {{a, 3}}, {}}), branching).graph, graph_of({{{a, 1}}, {}}));
-    // tau.a + b: the tau gives up b
+    // tau.a + b: the tau discards b
     const Graph choosing = graph_of({{{tau, 1}, {b, 2}}, {{a, 2}}, {}});
     EXPECT_EQ(minimise(choosing, branching).graph.size(), 3U);
-    // a + tau.(a + b) where the a's agree: inert for branching, all is offered after the tau
+    // a + tau.(a + b) where the a's agree: the tau is inert for branching bisimulation, because everything is offered
+    // after it
     const Graph inert = graph_of({{{tau, 1}, {a, 2}}, {{a, 2}, {b, 2}}, {}});
     EXPECT_EQ(minimise(inert, branching).graph, graph_of({{{a, 1}, {b, 1}}, {}}));
 }
@@ -63,7 +64,7 @@ TEST(Bisimulation, BranchingRemovesInertTausOnly) {
 TEST(Bisimulation, BranchingKeepsDivergence) {
     const Graph diverging = graph_of({{{tau, 1}, {a, 2}}, {{tau, 0}}, {}});
     EXPECT_EQ(minimise(diverging, branching).graph, graph_of({{{tau, 0}, {a, 1}}, {}}));
-    // A state that diverges and one that does not are different although both can only do a in the end.
+    // A state that diverges and a state that does not are different, although both can finally only do a.
     const Graph mixed = graph_of({{{b, 1}, {b, 2}}, {{tau, 1}, {a, 3}}, {{a, 3}}, {}});
     EXPECT_EQ(minimise(mixed, branching).graph.size(), 4U);
 }
@@ -75,7 +76,7 @@ TEST(Bisimulation, LeavesOutWhatIsNotReached) {
     EXPECT_EQ(quotient.state_of, (std::vector<StateIndex>{0, no_state}));
 }
 
-/// The number of classes of the greatest bisimulation, by removing pairs that can be distinguished.
+/// The number of classes of the greatest bisimulation, computed by removing distinguishable pairs.
 std::size_t classes_by_elimination(const Graph& graph) {
     const auto n = static_cast<StateIndex>(graph.size());
     std::set<std::pair<StateIndex, StateIndex>> related;
@@ -104,7 +105,7 @@ std::size_t classes_by_elimination(const Graph& graph) {
     return classes.size();
 }
 
-/// Minimal graphs of equivalent processes differ by their numbering alone.
+/// Minimal graphs of equivalent processes differ only in their numbering.
 bool same_size(const Graph& x, const Graph& y) {
     return x.size() == y.size() && x.edge_count() == y.edge_count();
 }
@@ -114,7 +115,7 @@ RC_GTEST_PROP(Bisimulation, OfRandomGraphsIsTheGreatest, ()) {
     std::vector<std::vector<Edge>> rows;
     for (StateIndex state = 0; state < size; ++state) {
         rows.emplace_back();
-        // The next state is always reached, so that the whole graph is.
+        // Each state leads to the next one, so all states are reachable.
         if (state + 1 < size) rows.back().push_back({*rc::gen::inRange<Event>(0, 3), state + 1});
         const int more = *rc::gen::inRange(0, 3);
         for (int i = 0; i < more; ++i)

@@ -60,7 +60,7 @@ TEST_F(Graphs, WriteAldebaran) {
               "(3,\"tick\",5)\n");
 }
 
-/// An event that is called as readers call a hidden step is none.
+/// Names of visible events that readers of the format would treat as hidden steps are changed.
 TEST_F(Graphs, EventsNamedLikeHiddenStepsAreWrittenApart) {
     std::ostringstream out;
     write_aut(graph_of(s.prefix("tau", s.prefix("tau_", s.prefix("i", s.prefix("tick", s.stop()))))), s.events, out);

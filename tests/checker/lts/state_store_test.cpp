@@ -1,4 +1,5 @@
-// The visited set against std::map, over widths and sizes that make it grow; claims by several threads.
+// The set of visited states compared with std::map, over widths and sizes that make it grow; and claims by several
+// threads.
 #include "checker/lts/state_store.hpp"
 
 #include <gtest/gtest.h>
@@ -51,7 +52,7 @@ TEST(StateStore, OfNoWordsHoldsOneState) {
     EXPECT_EQ(store.size(), 1U);
 }
 
-/// What one of several threads claims: its numbers are its own.
+/// The states that one of several threads claims; each thread has its own numbers.
 class OwnClaims {
 public:
     OwnClaims(std::vector<OwnClaims>& all, std::size_t number) : all_(all), number_(number) { rows_.reserve(most); }
@@ -89,7 +90,8 @@ private:
     std::vector<Word> kept_ = std::vector<Word>(most);
 };
 
-/// Four threads meet the same few states: the lowest claim of each stays, and nothing that was there before is claimed.
+/// Four threads find the same few states. The lowest claim of each state remains, and states that were already present
+/// are not claimed.
 TEST(StateStore, OfEqualClaimsKeepsTheLowest) {
     StateStore store(1);
     for (Word word = 0; word < 1000; ++word) store.insert(StateView(&word, 1));

@@ -1,4 +1,4 @@
-// Strongly connected components, against their definition: vertices that reach each other.
+// Strongly connected components compared with their definition: vertices that reach each other.
 #include "checker/lts/strong_components.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ std::vector<Component> components(const Edges& edges, const std::vector<StateInd
     return result;
 }
 
-/// By one edge or more.
+/// Reachability by one edge or more.
 std::vector<std::vector<bool>> reachability(const Edges& edges) {
     const std::size_t size = edges.size();
     std::vector<std::vector<bool>> reaches(size, std::vector<bool>(size, false));
@@ -88,7 +88,7 @@ TEST(StrongComponents, AreTheVerticesThatReachEachOther) {
     }
 }
 
-/// Recursion would need a stack as deep as the path.
+/// A recursive algorithm would need a stack as deep as the path.
 TEST(StrongComponents, OfLongPathsNeedNoDeepStack) {
     constexpr StateIndex size = 2'000'000;
     for (const bool closed : {false, true}) {

@@ -1,5 +1,5 @@
-// Compiled processes against their terms: the two are strongly bisimilar, for each operator by itself and for random
-// compositions; and what cannot be compiled stays a term.
+// Compiled processes compared with their terms: the two are strongly bisimilar, for each operator alone and for random
+// compositions. A process that cannot be compiled stays a term.
 #include "checker/machine/compiler.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 using process::Op;
 using process::Scripted;
 
-/// States of a random composition: larger ones are passed over.
+/// Random compositions with more states are skipped.
 constexpr std::size_t too_many = robochart::tests::rounds(20'000);
 
 lts::Graph graph_of(lts::TransitionSystem& system) {
@@ -28,7 +28,7 @@ lts::Graph graph_of(lts::TransitionSystem& system) {
 
 class Compiled : public testing::Test {
 protected:
-    /// The number of states of the compiled process, which must do what the term does.
+    /// The number of states of the compiled process, which must be bisimilar to the term.
     std::size_t states(TermId term) {
         const auto system = compiler.compile(term, {});
         if (!system) {
@@ -41,7 +41,7 @@ protected:
         return graph.size();
     }
     TermId twice(const char* event) { return s.prefix(event, s.prefix(event, s.skip())); }
-    /// Two components that take two steps each, then end together: (3 * 3) states and the end.
+    /// Two components that take two steps each, then terminate together: (3 * 3) states and the terminated state.
     TermId pair() { return s.over(Op::parallel, {twice("a"), twice("b")}, {}); }
     static constexpr std::size_t states_of_pair = 10;
 
@@ -61,14 +61,14 @@ TEST_F(Compiled, ParallelHidingRenaming) {
 }
 
 TEST_F(Compiled, OperatorsThatOneOperandOutlives) {
-    // The pair runs to its end, then a c: in place of the pair's end stands c's beginning.
+    // The pair terminates, then c: the initial state of c replaces the terminated state of the pair.
     EXPECT_EQ(states(s.op(Op::sequential, {pair(), s.prefix("c", stop)})), states_of_pair + 1);
-    // The first b leaves the pair: it was in one of three states of a.
+    // The first b leaves the pair, which is then in one of three states of a.
     EXPECT_EQ(states(s.over(Op::exception, {pair(), s.prefix("c", stop)}, {"b"})), 5U);
-    // c interrupts anywhere but at the end.
+    // c may interrupt in every state except the terminated one.
     EXPECT_EQ(states(s.op(Op::interrupt, {pair(), s.prefix("c", stop)})), states_of_pair + 1);
-    // An event of the pair resolves the choice and the timeout; only the first state has the alternative, c's end, or
-    // after the timeout its beginning and end.
+    // An event of the pair resolves the choice and the timeout. Only the initial state has the alternative, so only c's
+    // terminated state is added; after the timeout, its initial and terminated states are.
     EXPECT_EQ(states(s.op(Op::external_choice, {pair(), s.prefix("c", stop)})), states_of_pair + 1);
     EXPECT_EQ(states(s.op(Op::sliding, {pair(), s.prefix("c", stop)})), states_of_pair + 2);
     EXPECT_EQ(states(s.op(Op::internal_choice, {pair(), s.prefix("c", stop)})), states_of_pair + 3);
@@ -87,8 +87,8 @@ TEST_F(Compiled, RecursionThroughCompositions) {
     EXPECT_EQ(states(started), states_of_pair);
 }
 
-// Machines with modes: an event that stays in a mode, or leads to another one, comes back to a node around through a
-// choice that it has resolved. Each mode is one state, whatever the ways between them.
+// Machines with modes: an event that keeps the mode or changes it leads back to a node through a choice that the event
+// has resolved. Each mode is one state, for any transitions between the modes.
 TEST_F(Compiled, ModesBeforeComponents) {
     const TermId off = s.name("Off");
     const TermId on = s.name("On");
@@ -96,7 +96,7 @@ TEST_F(Compiled, ModesBeforeComponents) {
     s.bind(off, choice({s.prefix("on", on), s.prefix("tick", off)}));
     s.bind(on, choice({s.prefix("start", pair()), s.prefix("tick", on), s.prefix("off", off)}));
     EXPECT_EQ(states(off), 2 + states_of_pair);
-    // The pair itself can lead back: by its end, by an exception, out of a timeout.
+    // The pair itself can lead back to a mode: by termination, by an exception, or from a timeout.
     const TermId idle = s.name("Idle");
     s.bind(idle, choice({s.prefix("start", s.op(Op::sequential, {pair(), idle})), s.prefix("tick", idle)}));
     EXPECT_EQ(states(idle), states_of_pair) << "the pair's end is the beginning";
@@ -110,7 +110,7 @@ TEST_F(Compiled, ModesBeforeComponents) {
     EXPECT_EQ(states(timed), 2 + states_of_pair);
 }
 
-// Where the modes have no end, or none soon, what begins with an event is one component, or the whole stays a term.
+// If there are infinitely or very many modes, a component is cut at the first event, or the whole process stays a term.
 TEST_F(Compiled, ModesWithoutEnd) {
     TermId next = stop;
     for (int i = 0; i < 2'000; ++i) next = s.menu({{"up", next}, {"go", pair()}});
@@ -129,7 +129,7 @@ TEST_F(Compiled, PrioritiesInsideAndOutside) {
 }
 
 TEST_F(Compiled, LeavesOutWhatNoOtherComponentLetsHappen) {
-    // A cell of ten values that says which it holds; nobody listens, so its values are alike.
+    // A cell that can output its value, one of ten. No other component listens, so the values are equivalent.
     std::vector<TermId> cell;
     std::vector<std::pair<std::string, TermId>> writes;
     std::vector<std::string> reads;
@@ -153,7 +153,7 @@ TEST_F(Compiled, LeavesOutWhatNoOtherComponentLetsHappen) {
 }
 
 TEST_F(Compiled, KeepsWhatAPriorityLooksAtEvenIfItCannotHappen) {
-    // Inside, b comes before a; outside, b is not allowed: so neither happens, and c is all there is.
+    // Inside, b has priority over a; outside, b is blocked. So neither occurs, and only c remains.
     const TermId inner = s.prioritise(s.op(Op::external_choice, {pair(), stop}), {{"b"}, {"a"}});
     EXPECT_EQ(states(s.over(Op::parallel, {inner, twice("c")}, {"b"})), 3U);
 }
@@ -218,7 +218,8 @@ TEST_F(Compiled, GoesOnAfterASinkHasThrown) {
 }
 
 TEST_F(Compiled, PrioritiesOfRegionsThatRulesAroundAskFor) {
-    // Two prioritised pairs inside: b before a in each. Outside they meet on a, and c before all else.
+    // Two prioritised pairs inside: b before a in each. Outside they synchronise on a, and c has priority over all
+    // other events.
     const TermId inner = s.prioritise(s.op(Op::external_choice, {pair(), s.prefix("c", stop)}), {{"b", "c"}, {"a"}});
     const TermId meeting = s.over(Op::parallel, {inner, inner}, {"a"});
     states(meeting);
@@ -242,8 +243,8 @@ TEST_F(Compiled, ServesCompressions) {
     EXPECT_EQ(graph_of(*whole).size(), 4U);
 }
 
-// At most five states of an operand are held. dbisim may follow the hidden a's, which leaves the four states of b;
-// sbisim needs all ten.
+// The compiler stores at most five states of an operand. dbisim may follow the hidden a's, which leaves the four states
+// of b; sbisim needs all ten.
 TEST_F(Compiled, LeavesOutCompressionsOfTooManyStates) {
     MachineCompressor compressor;
     process::OperationalSemantics compressing(s.store, &compressor);
@@ -278,7 +279,7 @@ TEST_F(Compiled, LeavesOutCompressionsOfTooManyStates) {
     EXPECT_EQ(graph_of(stepped).size(), states_of_pair);
 }
 
-/// Two random processes under one operator.
+/// Two random processes combined by one operator.
 process::TermId joined(refine::Translation& translation, const refine::naive::Script& script, unsigned how) {
     Scripted& s = translation.scripted();
     const TermId p = translation.term(script.mains[0]);

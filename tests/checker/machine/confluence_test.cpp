@@ -1,5 +1,6 @@
-// The conditions under which a tau is followed (docs/search.md, "Confluent taus"), one by one: of each a process whose
-// answer would be another one without it. Expected answers are by reasoning about the few states that each has.
+// The conditions for following a tau (docs/search.md, "Confluent taus"), one by one: for each condition, a process
+// whose answer would be wrong without it. The expected answers follow by reasoning about the few states of each
+// process.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,11 +18,11 @@ namespace {
 using process::first_visible;
 using process::tau;
 
-// Events of components, and of rules of the same names. `a` and `h` are hidden; `x` is what nothing may do.
+// Events of components and of rules with the same names. `a` and `h` are hidden. The specification forbids `x`.
 enum Name : Event { a = first_visible, b, c, d, h, o, x };
 using Rows = std::vector<std::vector<std::pair<Event, Local>>>;
 
-/// The components of these slots do this event together, and those are put into states.
+/// The components in these slots perform this event together; the assignments set the states of components.
 struct Joint {
     Event event;
     std::vector<std::uint32_t> slots;
@@ -38,8 +39,8 @@ protected:
         for (const char* const name : {"a", "b", "c", "d", "h", "o", "x"}) s.event(name);
     }
 
-    /// `levels`: of an inner region with the first components, `inside` in number; none: there is no such region. A
-    /// joint event of components inside and outside is one of the region with the others.
+    /// `levels`: levels of priority in an inner region with the first `inside` components; none: there is no inner
+    /// region. A joint event of components inside and outside synchronises the region with the other components.
     void make(const std::vector<Rows>& components, const std::vector<Joint>& joints,
               const std::vector<std::uint32_t>& levels = {}, std::size_t inside = 9) {
         inside = levels.empty() ? 0 : std::min(inside, components.size());
@@ -75,7 +76,7 @@ protected:
         whole =
             std::make_unique<SupercombinatorSystem>(std::make_shared<const Supercombinator>(std::move(made)), s.store);
     }
-    /// What these participants do in the joint event, those that are components.
+    /// The requirements of the joint event on those participants that are components.
     static std::vector<Requirement> parts(const Joint& joint, const std::vector<Participant>& participants,
                                           const std::vector<EventSet>& alphabets) {
         std::vector<Requirement> result;
@@ -88,7 +89,7 @@ protected:
     }
     static Event outside(Event event) { return event == a || event == h ? tau : event; }
 
-    /// Whether x can happen, with and without the reduction; the reduced system is equal to the whole in both.
+    /// Checks with and without the reduction whether x can occur; fails if the answers differ.
     testing::AssertionResult can_do_x() {
         Supercombinator allowed;
         Rows row(1);
@@ -126,8 +127,8 @@ protected:
     std::unique_ptr<SupercombinatorSystem> whole;
 };
 
-// 1. Something of a higher level keeps the tau from happening: b comes first, and x is not possible any more then. The
-// tau changes nothing in the region. (The third component does h at any time, which is followed.)
+// 1. An event of a higher level prevents the tau: b occurs first, and then x is no longer possible. The tau does not
+// change the state of the region. (The third component can always do h, which is followed.)
 TEST_F(Conditions, ATauThatIsPreventedIsNotFollowed) {
     make({{{{a, 0}, {b, 1}, {x, 0}}, {{a, 1}, {o, 1}}}, {{{a, 1}}, {{x, 1}}}, {{{h, 1}}, {}}},
          {{a, {0, 1}, {}}, {b, {0}, {}}, {o, {0}, {}}, {x, {0, 1}, {}}, {h, {2}, {}}}, {no_level, no_level, 1, 0}, 1);
@@ -142,14 +143,14 @@ TEST_F(Conditions, ATauWithTwoResultsIsNotFollowed) {
     EXPECT_EQ(states_and_kept(), Sizes(3, 3));
 }
 
-// 3. The component can do something else instead.
+// 3. The component has an alternative to the tau.
 TEST_F(Conditions, ATauIsNotFollowedWhereItsComponentHasAChoice) {
     make({{{{a, 1}, {x, 2}}, {{o, 1}}, {}}}, {{a, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}});
     EXPECT_TRUE(can_do_x());
     EXPECT_EQ(states_and_kept(), Sizes(3, 3));
 }
 
-// 3. The other event has a priority below others, but the tau has none: it prevents nothing.
+// 3. The other event has low priority, but the tau has no level, so it prevents nothing.
 TEST_F(Conditions, ATauWithoutLevelPreventsNothing) {
     make({{{{a, 1}, {x, 2}}, {{o, 1}, {d, 1}}, {}}}, {{a, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}, {d, {0}, {}}},
          {no_level, no_level, no_level, no_level, no_level, 0, no_level, no_level, 1});
@@ -157,7 +158,7 @@ TEST_F(Conditions, ATauWithoutLevelPreventsNothing) {
     EXPECT_EQ(states_and_kept(), Sizes(3, 3));
 }
 
-// ... and where it has the first level, the other event is prevented.
+// ... but if the tau has the first level, it prevents the other event.
 TEST_F(Conditions, ATauOfTheFirstLevelPrevents) {
     make({{{{a, 1}, {x, 2}}, {{o, 1}}, {}}}, {{a, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}},
          {no_level, no_level, 0, no_level, no_level, no_level, no_level, no_level, 1});
@@ -165,7 +166,7 @@ TEST_F(Conditions, ATauOfTheFirstLevelPrevents) {
     EXPECT_EQ(states_and_kept(), Sizes(2, 1));
 }
 
-// 3. Both orders are possible, with different results.
+// 3. Both orders are possible and lead to different states.
 TEST_F(Conditions, BothOrdersMustLeadToOneState) {
     make({{{{a, 1}, {b, 2}}, {{b, 3}}, {{a, 4}}, {{o, 3}}, {{x, 4}}}},
          {{a, {0}, {}}, {b, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}});
@@ -181,21 +182,21 @@ TEST_F(Conditions, BothOrdersMustLeadToOneStateAlone) {
     EXPECT_EQ(states_and_kept(), Sizes(5, 5));
 }
 
-// ... but orders that do not matter do not count: a and b in any order, four states.
+// ... but commuting events are allowed: a and b in any order, four states.
 TEST_F(Conditions, EventsOfOneComponentMayCommute) {
     make({{{{a, 1}, {b, 2}}, {{b, 3}}, {{a, 3}}, {{o, 3}}}}, {{a, {0}, {}}, {b, {0}, {}}, {o, {0}, {}}});
     EXPECT_FALSE(can_do_x());
     EXPECT_EQ(states_and_kept(), Sizes(4, 2));
 }
 
-// 3. The tau puts a component into another state, which could do x before.
+// 3. The tau changes the state of another component, which could do x before.
 TEST_F(Conditions, ATauThatTurnsOffWhatCouldActIsNotFollowed) {
     make({{{{a, 1}}, {}}, {{{x, 1}}, {{o, 1}}, {{o, 2}}}}, {{a, {0}, {{1, 2}}}, {x, {1}, {}}, {o, {1}, {}}});
     EXPECT_TRUE(can_do_x());
     EXPECT_EQ(states_and_kept().first, states_and_kept().second);
 }
 
-// 3. Another rule turns off a component of the tau, and the other one can do x then.
+// 3. Another rule deactivates a component of the tau, and the other component can then do x.
 TEST_F(Conditions, ATauThatCanBeTurnedOffIsNotFollowed) {
     make({{{{a, 1}}, {{o, 1}}, {{x, 2}}}, {{{b, 1}}, {}}, {{{a, 1}, {x, 0}}, {}}},
          {{a, {0, 2}, {}}, {b, {1}, {{0, 2}}}, {o, {0}, {}}, {x, {0, 2}, {}}});
@@ -203,15 +204,15 @@ TEST_F(Conditions, ATauThatCanBeTurnedOffIsNotFollowed) {
     EXPECT_EQ(states_and_kept().first, states_and_kept().second);
 }
 
-// 4. After the tau, d is possible and prevents b: with d first, x is not possible after b.
+// 4. After the tau, d is possible and prevents b: if d comes first, x is not possible after b.
 TEST_F(Conditions, ATauThatLetsAnEventPreventOthersIsNotFollowed) {
     make({{{{a, 1}, {x, 0}}, {{d, 2}, {x, 1}}, {}}, {{{b, 1}}, {{x, 1}}}},
          {{a, {0}, {}}, {b, {1}, {}}, {d, {0}, {}}, {x, {0, 1}, {}}}, {no_level, no_level, no_level, 1, no_level, 0});
     EXPECT_TRUE(can_do_x());
-    EXPECT_EQ(states_and_kept(), Sizes(6, 5));  // where b has been, the tau is followed
+    EXPECT_EQ(states_and_kept(), Sizes(6, 5));  // after b, the tau is followed
 }
 
-// What b leads to has to satisfy the conditions too: there, x is possible beside the tau.
+// The conditions must also hold after b: there, x is possible as an alternative to the tau.
 TEST_F(Conditions, TheyHaveToHoldAfterOtherEvents) {
     make({{{{a, 1}, {b, 2}}, {{b, 3}}, {{a, 3}, {x, 4}}, {{o, 3}}, {}}},
          {{a, {0}, {}}, {b, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}});
@@ -219,7 +220,7 @@ TEST_F(Conditions, TheyHaveToHoldAfterOtherEvents) {
     EXPECT_EQ(states_and_kept().first, states_and_kept().second);
 }
 
-// x needs a second component, which gets ready for it on its own.
+// x needs a second component, which becomes ready for it by a step of its own.
 TEST_F(Conditions, WhatIsTrackedMovesOn) {
     make({{{{a, 1}, {x, 2}}, {{o, 1}}, {}}, {{{b, 1}}, {{x, 1}}}},
          {{a, {0}, {}}, {x, {0, 1}, {}}, {b, {1}, {}}, {o, {0}, {}}});
@@ -227,14 +228,14 @@ TEST_F(Conditions, WhatIsTrackedMovesOn) {
     EXPECT_EQ(states_and_kept().first, states_and_kept().second);
 }
 
-// ... or by a hidden step with a third one, which is ready.
+// ... or by a hidden step with a third component, which is ready for it.
 TEST_F(Conditions, WhatIsTrackedMovesOnWithOthers) {
     make({{{{a, 1}, {x, 2}}, {{o, 1}}, {}}, {{{h, 1}}, {{x, 1}}}, {{{b, 1}}, {{h, 1}}}},
          {{a, {0}, {}}, {x, {0, 1}, {}}, {h, {1, 2}, {}}, {b, {2}, {}}, {o, {0}, {}}});
     EXPECT_TRUE(can_do_x());
 }
 
-// ... or because another rule puts it into that state.
+// ... or because another rule sets its state.
 TEST_F(Conditions, WhatIsTrackedIsPutIntoStates) {
     make({{{{a, 1}, {x, 2}}, {{o, 1}}, {}}, {{}, {{x, 1}}}, {{{b, 1}}, {}}},
          {{a, {0}, {}}, {x, {0, 1}, {}}, {b, {2}, {{1, 1}}}, {o, {0}, {}}});
@@ -242,8 +243,8 @@ TEST_F(Conditions, WhatIsTrackedIsPutIntoStates) {
     EXPECT_EQ(states_and_kept().first, states_and_kept().second);
 }
 
-// The second component gets ready for x only with the first one, after the tau: it is followed. The states of the two
-// are (0, 0), (1, 0), (3, 1).
+// The second component becomes ready for x only together with the first one, after the tau. So the tau is followed. The
+// states of the two are (0, 0), (1, 0), (3, 1).
 TEST_F(Conditions, ATauIsFollowedWhereWhatDisturbsItWaitsForIt) {
     make({{{{a, 1}, {x, 2}}, {{c, 3}}, {}, {}}, {{{c, 1}}, {{x, 1}}}},
          {{a, {0}, {}}, {x, {0, 1}, {}}, {c, {0, 1}, {}}});
@@ -251,7 +252,8 @@ TEST_F(Conditions, ATauIsFollowedWhereWhatDisturbsItWaitsForIt) {
     EXPECT_EQ(states_and_kept(), Sizes(3, 2));
 }
 
-// The second one gets ready by a third, and that with the first one: (0, 0, 0), (1, 0, 0), (3, 0, 1), (3, 1, 1).
+// The second component becomes ready by a step with a third one, and the third one by a step with the first: (0, 0, 0),
+// (1, 0, 0), (3, 0, 1), (3, 1, 1).
 TEST_F(Conditions, ATauIsFollowedWhereWhatDisturbsItWaitsForOthersThatWait) {
     make({{{{a, 1}, {x, 2}}, {{c, 3}}, {}, {}}, {{{d, 1}}, {{x, 1}}}, {{{c, 1}}, {{d, 1}}}},
          {{a, {0}, {}}, {x, {0, 1}, {}}, {c, {0, 2}, {}}, {d, {1, 2}, {}}});
@@ -259,7 +261,7 @@ TEST_F(Conditions, ATauIsFollowedWhereWhatDisturbsItWaitsForOthersThatWait) {
     EXPECT_EQ(states_and_kept(), Sizes(4, 3));
 }
 
-// A cycle of followed taus beside x: x is possible, and the process diverges.
+// A cycle of followed taus next to x: x is possible, and the process diverges.
 TEST_F(Conditions, ACycleOfFollowedTausLosesNothing) {
     make({{{{a, 1}}, {{a, 0}}}, {{{x, 1}}, {}}}, {{a, {0}, {}}, {x, {1}, {}}});
     EXPECT_TRUE(can_do_x());

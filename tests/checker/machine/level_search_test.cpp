@@ -1,6 +1,6 @@
-// Searches by levels, with threads as ranks and as programs with several ranks each, give the answers, figures and
-// lengths of runs of the ordinary search, and one and the same run for every number of ranks, on random rules and on
-// families of known size.
+// Level searches, with threads as ranks and as programs with several ranks each, have the answers, figures and lengths
+// of counterexamples of the ordinary search. The counterexample is the same for every number of ranks. Tested on random
+// rules and on families of known size.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -30,7 +30,7 @@ std::string words(const std::vector<refine::Step>& steps) {
     return text;
 }
 
-/// All that is to be the same for every number of ranks.
+/// Everything that must be the same for every number of ranks.
 std::string everything(const Verdict& verdict) {
     const refine::Statistics& size = verdict.statistics;
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
@@ -41,7 +41,7 @@ std::string everything(const Verdict& verdict) {
            words(verdict.counterexample->steps) + " then" + words(verdict.counterexample->loop);
 }
 
-/// All that is to be the same as in the ordinary search: figures only where the whole space is seen.
+/// Everything that must be the same as in the ordinary search; figures only if the whole space is visited.
 std::string in_common(const Verdict& verdict) {
     const refine::Statistics& size = verdict.statistics;
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
@@ -55,7 +55,7 @@ std::string in_common(const Verdict& verdict) {
 
 using Ask = std::function<Verdict(const refine::Limits&)>;
 
-/// Each question about the two systems.
+/// All questions about the two systems.
 std::vector<Ask> questions(lts::TransitionSystem& specification, lts::TransitionSystem& system) {
     std::vector<Ask> all;
     for (const refine::Model model :
@@ -124,8 +124,8 @@ protected:
     Compiler compiler{semantics};
 };
 
-/// Eight cells of four states: 4^8 states with eight transitions each, 8 * 3 levels after the first. Several rounds a
-/// level.
+/// Eight cells of four states: 4^8 states with eight transitions each, 8 * 3 levels after the first, and several rounds
+/// per level.
 TEST_F(LevelFamilies, CountsAllStatesOfIndependentCells) {
     const auto system = cells(8);
     for (const unsigned ranks : {1U, 2U, 3U}) {
@@ -175,7 +175,7 @@ TEST(ThreadRanks, ARankThatFailsEndsAll) {
     }
 }
 
-/// What `count` ranks send each other: to rank r, r words that say from whom they are.
+/// Each of `count` ranks sends to rank r a message of r words that identify the sender.
 void exchange_everything(refine::Exchange& exchange, unsigned count) {
     const unsigned rank = exchange.rank();
     ASSERT_EQ(exchange.ranks(), count);
@@ -183,7 +183,7 @@ void exchange_everything(refine::Exchange& exchange, unsigned count) {
     for (int round = 0; round < 3; ++round) {
         out.words.clear();
         for (unsigned to = 0; to < count; ++to) {
-            out.words.push_back(99);  // of no message
+            out.words.push_back(99);  // belongs to no message
             out.begins[to] = out.words.size();
             out.sizes[to] = to;
             out.words.insert(out.words.end(), to, 10 * rank + to);
@@ -202,7 +202,7 @@ void exchange_everything(refine::Exchange& exchange, unsigned count) {
         exchange.broadcast(text);
         EXPECT_EQ(text, "rank 0");
     }
-    // To each rank but one's own and 0, to which nothing is sent.
+    // Messages go to every rank except the sender itself and 0, whose message is empty.
     EXPECT_EQ(exchange.traffic().messages, 3 * (count - (rank == 0 ? 1 : 2)));
 }
 
@@ -210,7 +210,7 @@ TEST(ThreadRanks, ExchangeRowsSumsAndTexts) {
     refine::as_ranks(3, [](refine::Exchange& exchange) { exchange_everything(exchange, 3); });
 }
 
-/// One a round, with a number in front for each pair of threads.
+/// One message per round, preceded by a number for each pair of threads.
 void exchange_by_programs(unsigned programs, unsigned threads) {
     refine::as_ranks(programs, [=](refine::Exchange& exchange) {
         refine::as_ranks(exchange, threads, [=](refine::Exchange& each) {
@@ -233,7 +233,7 @@ TEST(ThreadPrograms, SendOneMessageToEachOtherProgram) {
     exchange_by_programs(2, 3);
 }
 
-/// A thread's error ends all threads of all programs, also those that wait for others.
+/// An error in one thread ends all threads of all programs, also those that wait for others.
 TEST(ThreadPrograms, AThreadThatFailsEndsAll) {
     for (unsigned failing = 0; failing < 6; ++failing) {
         const auto work = [failing](refine::Exchange& exchange) {

@@ -1,4 +1,4 @@
-// Proofs of confluence: they do not depend on what was asked before, and are right whatever is planned for them.
+// Proofs of confluence do not depend on earlier queries, and are correct for every plan.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ protected:
         }
         return result;
     }
-    /// Nothing is to be looked at, or some other components beside those of the rule.
+    /// A random plan: for some rules no components are examined, for others additional components.
     ProofPlan some_plan() {
         ProofPlan plan;
         for (std::uint32_t rule = 0; rule < rules->rules.size(); ++rule) {

@@ -27,7 +27,7 @@ ComponentPtr RandomRules::component(TermId meaning) {
     return std::make_shared<const Component>(rows, std::vector<TermId>(size, meaning));
 }
 
-/// By event; empty where the region has no priorities.
+/// Levels by event; empty if the region has no priorities.
 std::vector<std::uint32_t> RandomRules::levels() {
     if (chance(40)) return {};
     std::vector<std::uint32_t> result(first_visible, 0);
@@ -67,7 +67,7 @@ std::shared_ptr<const Supercombinator> RandomRules::next(const process::TermId& 
         made_.fields.push_back({slot, 0, 0xffU});
     }
     made_.words = count;
-    // Regions inside take some of the participants around.
+    // Inner regions take over some of the remaining participants.
     std::vector<Participant> open;
     std::vector<std::vector<std::uint32_t>> below_them;
     for (std::uint32_t slot = 0; slot < count; ++slot) {

@@ -1,5 +1,5 @@
-// Random compiled processes: components, regions inside each other, priorities and assignments as no script would
-// combine them.
+// Random compiled processes with components, nested regions, priorities and assignments, in combinations that no script
+// produces.
 #pragma once
 
 #include <memory>
@@ -9,12 +9,12 @@
 
 namespace robochart::machine {
 
-/// Numbers from one seed, the same on every compiler.
+/// A random generator with a seed, identical for every compiler.
 class RandomRules {
 public:
     explicit RandomRules(std::uint64_t seed) : numbers_(seed) {}
-    /// Two to five components of up to five states, in up to three regions. Visible events are those from first_visible
-    /// on, `visible` in number.
+    /// Two to five components with up to five states, in up to three regions. The `visible` visible events start at
+    /// first_visible.
     std::shared_ptr<const Supercombinator> next(const process::TermId& meaning);
     static constexpr Event visible = 4;
 

@@ -1,5 +1,5 @@
-// What is left of a compiled process when confluent taus are followed is equal to all of it, by branching bisimilarity
-// with explicit divergence, on random processes and random rules.
+// The reduced form of a compiled process, in which confluent taus are followed, is equivalent to the whole under
+// branching bisimilarity with explicit divergence. Tested on random processes and random rules.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -23,9 +23,9 @@ using process::Scripted;
 
 constexpr std::size_t most_states = 100'000;
 
-/// What the comparisons have seen, so that they cannot become empty.
+/// Counts of the comparisons, which show that the tests are not vacuous.
 struct Seen {
-    int smaller = 0;    ///< systems of which states were left out
+    int smaller = 0;    ///< systems whose reduction has fewer states
     int diverging = 0;  ///< of these, those with a cycle of taus
     std::uint64_t states = 0, kept = 0;
 };
@@ -37,7 +37,7 @@ bool loops_by_tau(const Graph& quotient) {
     return false;
 }
 
-/// Whether the reduced system is equal to the whole. Where no rule is one to follow there is none.
+/// Checks that the reduced system is equivalent to the whole. There is no reduced system if no rule can be followed.
 bool keeps_everything(lts::TransitionSystem& whole, Seen& seen) {
     const auto reduced = whole.reduced({});
     if (!reduced) return true;
@@ -72,7 +72,7 @@ TEST(Reduction, KeepsRandomRules) {
     EXPECT_GT(seen.diverging * 20, wanted);
 }
 
-/// A verdict in words, with the run of a violation; the size of the search where that is to be the same.
+/// A verdict as text, with the trace of a violation, and with the size of the search if it must agree.
 std::string described(const refine::Verdict& verdict, bool with_size) {
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
     if (with_size)
@@ -110,7 +110,8 @@ refine::Limits limits_of(bool reduction, unsigned threads) {
     return limits;
 }
 
-/// In every model and with several threads; the runs are the shortest ones of all states, found in the same order.
+/// Checks every model, with several threads. Counterexamples are the shortest ones of the full state space, found in
+/// the same order.
 TEST(Reduction, ChangesNoAnswerAndNoRun) {
     const int wanted = refine::wanted_checks(static_cast<int>(tests::rounds(1'000))) / 8 + 1;
     Scripted s;
@@ -132,8 +133,8 @@ TEST(Reduction, ChangesNoAnswerAndNoRun) {
     EXPECT_LT(fails * 20, 19 * wanted);
 }
 
-/// Six processes of four hidden steps each, which then do one event together: 5^6 states, of which those on one way
-/// through the hidden steps are kept at most.
+/// Six processes with four hidden steps each, which then perform one event together: 5^6 states. The reduction keeps at
+/// most those on one path through the hidden steps.
 class HiddenSteps : public testing::Test {
 protected:
     HiddenSteps() {
@@ -164,14 +165,14 @@ TEST_F(HiddenSteps, AreFollowed) {
     EXPECT_EQ(ask(false, 1'000'000).statistics.states, 15'625U);
     const refine::Verdict verdict = ask(true, 1'000'000);
     EXPECT_EQ(verdict.outcome, refine::Outcome::fails);
-    EXPECT_EQ(verdict.statistics.states, 1U);  // the one where all hidden steps are done
+    EXPECT_EQ(verdict.statistics.states, 1U);  // the state in which all hidden steps are done
     EXPECT_EQ(verdict.statistics.chased, 24U);
     ASSERT_TRUE(verdict.counterexample);
     EXPECT_TRUE(verdict.counterexample->shortest);
     EXPECT_EQ(verdict.counterexample->steps.size(), 25U);
 }
 
-/// The verdict needs one state, the search for a shortest run all.
+/// The verdict needs one state; the search for a shortest counterexample visits all states.
 TEST_F(HiddenSteps, ARunIsSaidToBeNoShortestOneWhereALimitIsReached) {
     EXPECT_EQ(ask(false, 100).outcome, refine::Outcome::inconclusive);
     const refine::Verdict verdict = ask(true, 100);

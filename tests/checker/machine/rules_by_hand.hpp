@@ -1,4 +1,4 @@
-// Compiled processes put together rule by rule, as no script would combine them.
+// Compiled processes built rule by rule, in combinations that no script produces.
 #pragma once
 
 #include <utility>
@@ -8,19 +8,19 @@
 
 namespace robochart::machine {
 
-/// A rule of a region before it has its place there: what the participants do, what the region does then.
+/// A rule of a region, before it has an index there: the events of the participants and the event of the region.
 struct DraftRule {
     Event event;
-    std::vector<Requirement> parts;  ///< the first one leads; events are places in the participants' alphabets
+    std::vector<Requirement> parts;  ///< the first one leads; events are indexes into the participants' alphabets
     std::vector<Assignment> assignments;
 };
 
-/// A region with these rules. `alphabets`: of each participant. `levels`: by event, the level of its priority or
-/// `no_level`; events beyond the end have none.
+/// A region with these rules. `alphabets`: one for each participant. `levels`: the priority level of each event, or
+/// `no_level`; events beyond the end have no level.
 [[nodiscard]] Region region_of(std::vector<Participant> participants, std::vector<EventSet> alphabets,
                                std::vector<DraftRule> drafts, const std::vector<std::uint32_t>& levels);
 
-/// A component whose states have these transitions: of each state, events and targets.
+/// A component with these transitions: for each state, events and targets.
 [[nodiscard]] ComponentPtr component_of(const std::vector<std::vector<std::pair<Event, Local>>>& rows, TermId meaning);
 
 }  // namespace robochart::machine

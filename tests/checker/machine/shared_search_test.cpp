@@ -30,7 +30,7 @@ protected:
     Compiler compiler{semantics};
 };
 
-/// Nine cells of four states: 4^9 states with nine transitions each, enough that all threads make the table anew.
+/// Nine cells of four states: 4^9 states with nine transitions each, enough that all threads resize the table.
 TEST_F(SharedSearch, CountsAllStatesOfIndependentCells) {
     std::vector<TermId> cells;
     for (char cell = '1'; cell <= '9'; ++cell) {
@@ -48,7 +48,7 @@ TEST_F(SharedSearch, CountsAllStatesOfIndependentCells) {
     }
 }
 
-/// Hidden steps, a region with priorities inside, and a specification that one event violates.
+/// Hidden steps, an inner region with priorities, and a specification that one event violates.
 TEST_F(SharedSearch, FindsTheSameViolations) {
     const TermId inside = s.prioritise(
         s.over(Op::parallel, {s.cycle("P", {"a", "b", "x"}), s.cycle("Q", {"c", "b", "y"})}, {"b"}), {{"a"}, {"c"}});

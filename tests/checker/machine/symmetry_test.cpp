@@ -1,5 +1,5 @@
-// Equal components of a compiled process are found, exchanges of them are automorphisms, and what is left of the states
-// answers every question as all states do.
+// Symmetry reduction: equal components of a compiled process are found, permutations of them are automorphisms, and the
+// reduced state space gives the same answers as the full one.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -27,7 +27,7 @@ refine::Limits limits_of(bool reduction) {
 
 class SymmetryTest : public testing::Test {
 protected:
-    /// A process that does its own events in turn, `own` of them and its number in their names, between tocks.
+    /// A process that performs `own` events in turn between tocks; its number is part of their names.
     TermId robot(int number, int own) {
         const TermId robot = s.name("ROBOT" + std::to_string(number));
         TermId body = s.prefix("tock", robot);
@@ -49,7 +49,7 @@ protected:
         return s.over(Op::hide, {swarm(number, own)}, hidden);
     }
     std::unique_ptr<SupercombinatorSystem> compiled(TermId term) { return compiler.compile(term, {}); }
-    /// How many replicas each set has.
+    /// The number of replicas in each set.
     std::vector<std::size_t> sets(TermId term) {
         std::vector<std::size_t> result;
         for (const lts::ReplicaSet& set : compiled(term)->replicas({})) result.push_back(set.size());
@@ -63,7 +63,7 @@ protected:
 
 using Sets = std::vector<std::size_t>;
 
-/// n robots of k states each that share tock alone: the multisets of n out of k states, (n+k-1 over n).
+/// n robots with k states each that share only tock: the states are multisets of n out of k, (n+k-1 over n).
 TEST_F(SymmetryTest, StatesAreMultisets) {
     const auto system = compiled(swarm(6, 3));
     EXPECT_EQ(refine::deadlock_free(*system, refine::Model::failures, limits_of(false)).statistics.states, 4096U);
@@ -74,7 +74,7 @@ TEST_F(SymmetryTest, StatesAreMultisets) {
     EXPECT_EQ(verdict.statistics.distinguished, 0U);
 }
 
-/// As those of benchmarks/models/robots.csp.
+/// The robots of benchmarks/models/robots.csp.
 TEST_F(SymmetryTest, TwelveRobotsOfEightStates) {
     const auto system = compiled(swarm(12, 7));
     const Verdict verdict = refine::deadlock_free(*system, refine::Model::failures, limits_of(true));
@@ -82,7 +82,7 @@ TEST_F(SymmetryTest, TwelveRobotsOfEightStates) {
     EXPECT_EQ(verdict.statistics.states, 50'388U) << "(12 + 7 over 7), of 8^12";
 }
 
-/// Robots of two components each are exchanged as wholes; what is equal inside one is not looked at again.
+/// Robots of two components each are permuted as wholes; equal components inside a robot are ignored.
 TEST_F(SymmetryTest, ReplicasMayHaveSeveralComponents) {
     std::vector<TermId> pairs;
     for (int i = 1; i <= 3; ++i)
@@ -102,7 +102,7 @@ TEST_F(SymmetryTest, WhatDiffersIsNoReplica) {
     EXPECT_EQ(sets(s.over(Op::parallel, watched, {event(1, 1)})), Sets{2}) << "one that another one watches";
 }
 
-/// Found by the random checks: the packed state of what always runs could not hold another's being off.
+/// Found by random tests: the packed state of a component that always runs cannot represent that another one is off.
 TEST_F(SymmetryTest, WhatMayBeOffIsNoReplicaOfWhatAlwaysRuns) {
     const TermId never = s.over(Op::parallel, {s.stop(), s.stop()}, {});
     const TermId first = s.op(Op::exception, {never, s.skip()}, static_cast<std::uint32_t>(s.set({})));
@@ -125,7 +125,8 @@ TEST_F(SymmetryTest, WhatIsAlikeIsFoundUnderPrioritiesAndInterrupts) {
     EXPECT_EQ(sets(s.over(Op::parallel, urgent, {"tock"})), Sets{3}) << "regions of their own";
 }
 
-/// A specification that asks for robot 1 before robot 2 distinguishes them; one that takes any robot does not.
+/// A specification that requires robot 1 before robot 2 distinguishes them; a specification that accepts any robot does
+/// not.
 TEST_F(SymmetryTest, TheSpecificationMayDistinguishThem) {
     const auto system = compiled(s.over(Op::hide, {swarm(3, 1)}, {"tock"}));
     const TermId first = s.name("FIRST");
@@ -148,7 +149,8 @@ TEST_F(SymmetryTest, TheSpecificationMayDistinguishThem) {
     }
 }
 
-/// After an event of any robot the specification refuses to have two by one: the second event shows which.
+/// After an event of any robot, the specification forbids a second event of the same robot: the second event shows
+/// which robot it is.
 TEST_F(SymmetryTest, RunsHaveEveryReplicaInItsPlace) {
     const auto system = compiled(swarm(4, 2));
     const TermId one = s.name("ONE");
@@ -162,12 +164,12 @@ TEST_F(SymmetryTest, RunsHaveEveryReplicaInItsPlace) {
     ASSERT_TRUE(reduced.counterexample);
     ASSERT_EQ(reduced.counterexample->steps.size(), 2U);
     EXPECT_EQ(whole.counterexample->steps.size(), 2U);
-    // Replayed already: the second event of a robot comes after its own first one.
+    // The counterexample was already replayed: the second event of a robot follows its own first event.
     const auto number = [&](const refine::Step& step) { return s.events.name(step.event).substr(3); };
     EXPECT_EQ(number(reduced.counterexample->steps[0]), number(reduced.counterexample->steps[1]));
 }
 
-/// A loop of taus in which the replicas take turns: it is closed when each is in its own place again.
+/// A loop of taus in which the replicas take turns: it closes when each replica is in its own place again.
 TEST_F(SymmetryTest, LoopsAreClosed) {
     const auto system = compiled(hidden_swarm(3, 2));
     const auto endless =
@@ -181,7 +183,7 @@ TEST_F(SymmetryTest, LoopsAreClosed) {
     }
 }
 
-/// Random processes beside copies of themselves, with and without other names, against the definitions.
+/// Random processes in parallel with copies of themselves, with and without renaming, compared with the definitions.
 class RandomReplicas : public testing::Test {
 protected:
     using Process = refine::naive::Process;
@@ -200,7 +202,7 @@ protected:
     static Process exchanged(const Process& process) { return tree(Kind::rename, {process}, {}, {{0, 1}, {1, 0}}); }
     static Process beside(std::vector<Process> operands) { return tree(Kind::parallel, std::move(operands), {2}); }
 
-    /// What is made of a random process, so that parts of it can be exchanged.
+    /// A composition of copies of a random process in which parts can be permuted.
     static Process replicated(const Process& process, int way) {
         switch (way % 4) {
             case 0:
@@ -214,7 +216,7 @@ protected:
         }
     }
 
-    /// What the engine answers otherwise than the definitions say; empty if nothing.
+    /// The first difference between the engine's answers and the definitions; empty if there is none.
     std::string disagreement(const refine::Case& asked, const refine::Graphs& graphs) {
         refine::Translation translation(asked.script);
         Compiler compiler(translation.semantics());

@@ -1,4 +1,4 @@
-// PRISM texts read, explored and asked for tests.
+// Parses, explores and queries PRISM texts for tests.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace robochart::prism::testing {
 
-/// A text with the findings about it.
+/// A parsed text with its findings.
 struct Read {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
@@ -36,7 +36,7 @@ struct Read {
     [[nodiscard]] std::string report() const { return diagnostics::render_text(sources, diagnostics); }
 };
 
-/// A model checked, and explored for values of its constants. Throws std::runtime_error with the findings.
+/// A model that is checked, and explored for values of its constants. Throws std::runtime_error with the findings.
 struct Explored {
     explicit Explored(const std::string& model, const Values& constants = {}, const ExploreOptions& options = {}) {
         const ModelFile file = read_model(read.sources, read.add(model), read.diagnostics);
@@ -50,7 +50,7 @@ struct Explored {
         }
     }
 
-    /// The answer to one property; more definitions may stand before it.
+    /// The answer to one property; definitions may precede it in the text.
     Result ask(const std::string& text, const SessionOptions& options = {}, const Values& constants = {}) {
         const PropertyFile file = read_properties(read.sources, read.add(text, "model.props"), read.diagnostics);
         CheckedProperties properties;
@@ -69,7 +69,7 @@ struct Explored {
     std::optional<StateSpace> space;
 };
 
-/// What `piece` throws, as text; "" if nothing.
+/// The message of the exception that `piece` throws; "" if it throws none.
 template <class Piece>
 std::string failure(const Piece& piece) {
     try {

@@ -1,4 +1,4 @@
-// Runs taken apart: each part's own trace and offer, worked out by hand.
+// Runs decomposed into the traces and offers of their components, computed by hand.
 #include "checker/process/behaviour.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ protected:
     Scripted s;
     OperationalSemantics semantics{s.store};
 
-    /// The run by these actions, each the first that fits.
+    /// The run with these actions; takes the first matching transition at each.
     Behaviour run(TermId initial, const std::vector<Event>& actions) {
         std::vector<Transition> steps;
         TermId now = initial;
@@ -40,7 +40,7 @@ protected:
     }
 };
 
-// (a -> b -> STOP) [| {b} |] (c -> b -> d -> STOP): b is common, a and c are each one's own.
+// (a -> b -> STOP) [| {b} |] (c -> b -> d -> STOP): both perform b; a and c belong to one of them.
 TEST_F(Apart, ParallelOperandsHaveTheirOwnTraces) {
     const TermId left = s.prefix("a", s.prefix("b", s.stop()));
     const TermId right = s.prefix("c", s.prefix("b", s.prefix("d", s.stop())));
@@ -54,7 +54,7 @@ TEST_F(Apart, ParallelOperandsHaveTheirOwnTraces) {
     EXPECT_EQ(offer(whole.parts[1]), "d");
 }
 
-// ((a -> b -> STOP) ||| c -> STOP) [[b <- d]] \ {a}: inside hiding and renaming the events keep their own names.
+// ((a -> b -> STOP) ||| c -> STOP) [[b <- d]] \ {a}: below hiding and renaming, events have their original names.
 TEST_F(Apart, HidingAndRenamingAreUndoneInside) {
     const TermId left = s.prefix("a", s.prefix("b", s.stop()));
     const TermId both = s.over(Op::parallel, {left, s.prefix("c", s.stop())}, {});
@@ -71,7 +71,8 @@ TEST_F(Apart, HidingAndRenamingAreUndoneInside) {
     EXPECT_EQ(offer(inside.parts.at(1)), "c");
 }
 
-// (a -> SKIP ||| SKIP) ; b -> STOP: the first part ends by ✓, which is the whole's tau; then the second.
+// (a -> SKIP ||| SKIP) ; b -> STOP: the first part terminates with ✓, which is a tau of the whole; then the second
+// starts.
 TEST_F(Apart, ASequenceHasPartsOneAfterTheOther) {
     const TermId first = s.over(Op::parallel, {s.prefix("a", s.skip()), s.skip()}, {});
     const Behaviour whole =
@@ -86,7 +87,7 @@ TEST_F(Apart, ASequenceHasPartsOneAfterTheOther) {
     EXPECT_TRUE(whole.parts[1].parts.empty());
 }
 
-// P = a -> (Q ||| R) is one component until it has done a.
+// P = a -> (Q ||| R) is one component before a, and two after it.
 TEST_F(Apart, AComponentMayBecomeSeveral) {
     const TermId later = s.over(Op::parallel, {s.prefix("b", s.stop()), s.prefix("c", s.stop())}, {});
     const Behaviour whole = run(s.prefix("a", later), {s.event("a"), s.event("c")});
@@ -96,7 +97,7 @@ TEST_F(Apart, AComponentMayBecomeSeveral) {
     EXPECT_EQ(offer(whole.parts[1].parts.at(0)), "b");
 }
 
-// (a -> SKIP) ; P without end is one sequential component: its trace is not taken apart once a round.
+// (a -> SKIP) ; P, repeated forever, is one sequential component: its trace is not split at each repetition.
 TEST_F(Apart, SequentialProcessesStayWhole) {
     const TermId p = s.name("P");
     s.bind(p, s.op(Op::sequential, {s.prefix("a", s.skip()), p}));
@@ -106,7 +107,7 @@ TEST_F(Apart, SequentialProcessesStayWhole) {
     EXPECT_EQ(offer(whole), "a");
 }
 
-/// Knows the machine of its operand's states by number alone, as a faster engine does.
+/// Compressed machines identify the states of their operand only by number, as a faster engine does.
 class NumberingCompressor final : public Compressor {
 public:
     std::optional<Machine> explore(TermId operand, Compression, const std::function<void()>&) override {
@@ -132,7 +133,7 @@ TEST_F(Apart, CompressedPartsAreNamedWithTheirState) {
     EXPECT_EQ(apart.parts.at(0).parts.at(0).name, "P");
 }
 
-// dbisim((h -> a -> b -> STOP ||| c -> STOP) \ {h}): the machine does a; inside, h was done before it.
+// dbisim((h -> a -> b -> STOP ||| c -> STOP) \ {h}): the machine performs a; its operand performed h before it.
 TEST_F(Apart, InsideACompressionTheOperandHasARunOfItsOwn) {
     const TermId left = s.prefix("h", s.prefix("a", s.prefix("b", s.stop())));
     const TermId inside = s.over(Op::hide, {s.over(Op::parallel, {left, s.prefix("c", s.stop())}, {})}, {"h"});
@@ -140,7 +141,7 @@ TEST_F(Apart, InsideACompressionTheOperandHasARunOfItsOwn) {
         class WithoutFirstTau final : public Compressor {
         public:
             Machine compress(const Machine& explored, Compression, const std::function<void()>&) override {
-                Machine result = explored;  // the first state's tau is inert: the state behind it takes its place
+                Machine result = explored;  // the first state's tau is inert: the next state replaces it
                 result.edges[0] = explored.edges[explored.edges[0].front().target];
                 return result;
             }

@@ -1,4 +1,4 @@
-// Every firing rule, on operands small enough to apply it by hand.
+// Every firing rule, on operands that are small enough to apply it by hand.
 #include "checker/process/operational_semantics.hpp"
 
 #include <gmock/gmock.h>
@@ -35,7 +35,7 @@ protected:
             list.emplace_back(s.events.name(step.event), step.target);
         return list;
     }
-    /// The visible traces up to a length, tick included.
+    /// The visible traces up to a length, including ✓.
     std::set<std::vector<std::string>> traces(TermId term, std::size_t length) {
         std::set<std::vector<std::string>> found;
         std::set<std::pair<TermId, std::vector<std::string>>> seen;
@@ -268,8 +268,8 @@ TEST_F(Rules, DeepTermsCostNoMachineStack) {
     EXPECT_FALSE(describe(s.store, deep).empty());
 }
 
-// With FDR's synchronising termination the finished half of a parallel does not hold up time.
-// TSKIP = SKIP [] tock -> TSKIP etc. follow the rewriting of timed sections (semantics 3.10).
+// With FDR's synchronising termination, a terminated operand of a parallel composition does not block time. TSKIP =
+// SKIP [] tock -> TSKIP etc. follow the rewriting of timed sections (semantics 3.10).
 TEST_F(Rules, TimeGoesOnAfterOneSideOfAnInterleavingHasEnded) {
     const TermId tskip = s.name("TSKIP");
     s.bind(tskip, s.op(Op::external_choice, {skip, s.prefix("tock", tskip)}));
@@ -283,18 +283,18 @@ TEST_F(Rules, TimeGoesOnAfterOneSideOfAnInterleavingHasEnded) {
         for (int i = 0; i < units; ++i) rest = s.prefix("tock", rest);
         return rest;
     };
-    // Deadline(a -> SKIP, 2) = (a -> SKIP) /\ (WAIT(2); USTOP), interrupting in step with tock.
+    // Deadline(a -> SKIP, 2) = (a -> SKIP) /\ (WAIT(2); USTOP), whose operands synchronise on tock.
     const TermId deadline =
         s.over(Op::sync_interrupt, {timed("a", tskip), s.op(Op::sequential, {wait(2), stop})}, {"tock"});
     const TermId both = s.over(Op::parallel, {deadline, timed("c", tskip)}, {"tock"});
     const auto found = traces(s.prioritise(both, {{}, {"tock"}}), 5);
     EXPECT_TRUE(found.contains({"a", "tock", "tock"}));
-    // The deadline's operand has not terminated, it waits for c: so the deadline still comes.
+    // The operand of the deadline has not terminated, because it waits for c, so the deadline still applies.
     EXPECT_FALSE(found.contains({"a", "tock", "tock", "tock"}));
     EXPECT_TRUE(found.contains({"a", "tock", "c", "✓"}));
     EXPECT_TRUE(found.contains({"tock", "tock", "a"}));
     EXPECT_FALSE(found.contains({"tock", "tock", "tock"}));  // the deadline passed: time stops
-    EXPECT_FALSE(found.contains({"a", "c", "tock"}));        // both have ended: tick comes before time
+    EXPECT_FALSE(found.contains({"a", "c", "tock"}));        // both have terminated: tick comes before time
 }
 
 TEST_F(Rules, DescribeNamesTheActiveDefinitions) {

@@ -1,4 +1,4 @@
-// A small Definitions for tests: prefixes and named processes made by hand.
+// A small implementation of Definitions for tests, with prefixes and named processes built by hand.
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ public:
         return store.set(members);
     }
 
-    /// Declares a name; give it a body by bind().
+    /// Declares a name; bind() defines its body.
     TermId name(const std::string& text) {
         names_.push_back(text);
         bodies_.push_back(TermId{0});
@@ -44,7 +44,7 @@ public:
         return op(Op::prefix, {}, static_cast<std::uint32_t>(prefixes_.size() - 1));
     }
 
-    /// The events one after the other, again and again.
+    /// Performs the events in turn, repeatedly.
     TermId cycle(const std::string& named, const std::vector<std::string>& event_names) {
         const TermId again = name(named);
         TermId rest = again;

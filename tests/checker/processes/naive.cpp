@@ -1,4 +1,4 @@
-// Powersets of explicit graphs, straight from the definitions of the models.
+// Subset construction on explicit graphs, directly from the definitions of the models.
 #include "naive.hpp"
 
 #include <deque>
@@ -47,7 +47,7 @@ bool Behaviour::state_refuses(int state, unsigned set) const {
         else
             offered |= bit(edge.letter);
     }
-    if ((offered & bit(tick)) != 0) return (set & bit(tick)) == 0;  // it may terminate, refusing all but tick
+    if ((offered & bit(tick)) != 0) return (set & bit(tick)) == 0;  // it may terminate, and then refuses all but tick
     return !has_tau && (set & offered) == 0;
 }
 
@@ -58,7 +58,7 @@ bool Behaviour::refuses(const States& states, unsigned set) const {
 }
 
 bool Behaviour::diverges(const States& states) const {
-    // The greatest set of states each of which has a tau into the set.
+    // The greatest set of states in which every state has a tau within the set.
     States endless = closed(states);
     for (bool shrank = true; shrank;) {
         shrank = false;
@@ -74,7 +74,8 @@ bool Behaviour::diverges(const States& states) const {
 
 namespace {
 
-/// Calls `visit` for the states after every trace, each set once; false from it stops below that set.
+/// Calls `visit` with the set of states after every trace, once per set. If it returns false, longer traces are
+/// skipped.
 void for_all_traces(const Behaviour& process, const std::function<bool(const Behaviour::States&)>& visit) {
     std::set<Behaviour::States> seen;
     std::deque<Behaviour::States> work{process.initially()};
@@ -164,7 +165,7 @@ std::optional<std::size_t> shortest_violation(const Behaviour& specification, co
             }
         }
         if (forbidden) {
-            // A refusal just as long cannot be shorter: the number of steps is the same.
+            // A refusal of the same length is not shorter: the number of steps is the same.
             return steps + 1;
         }
         level.swap(next);

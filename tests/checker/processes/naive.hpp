@@ -1,5 +1,5 @@
-// A second checker, by definition only: firing rules on trees, an explicit graph, the powerset of its states by trace,
-// refusal sets enumerated one by one. Shares nothing with the engine. For small processes over few letters.
+// A second checker that follows the definitions: firing rules on trees, an explicit graph, subset construction by
+// traces, and enumeration of refusal sets. It shares no code with the engine. For small processes over few letters.
 #pragma once
 
 #include <map>
@@ -19,7 +19,7 @@ struct Graph {
     std::vector<std::vector<Edge>> edges;  ///< state 0 is the initial one
 };
 
-/// None if there are more states, or bigger ones, than a test wants.
+/// Returns nullopt if there are more states, or larger ones, than a test can use.
 std::optional<Graph> explore(const Script& script, const Process& process, std::size_t limit);
 
 enum class Semantics { T, F, FD };
@@ -53,7 +53,7 @@ bool deadlock_free(const Behaviour& process, Semantics semantics);
 bool divergence_free(const Behaviour& process);
 bool deterministic(const Behaviour& process, Semantics semantics);
 bool has_trace(const Behaviour& process, const std::vector<Letter>& trace);
-/// The least number of steps, taus included, of a run that breaks T or F refinement.
+/// The minimal number of steps, taus included, of a run that violates refinement in T or F.
 std::optional<std::size_t> shortest_violation(const Behaviour& specification, const Behaviour& implementation,
                                               Semantics semantics);
 

@@ -1,4 +1,5 @@
-// The firing rules once more, on trees, one short function each, and the graph they span.
+// An independent implementation of the firing rules on trees, with one short function for each rule, and of the
+// resulting graph.
 #include <algorithm>
 #include <deque>
 
@@ -26,7 +27,7 @@ class Rules {
 public:
     explicit Rules(const Script& script) : script_(script) {}
 
-    /// In the order by which chase chooses: taus first, then by letter, within one letter by operand.
+    /// Moves in the order in which chase chooses: taus first, then by letter, then by operand.
     Moves moves(const Process& p) const {
         Moves result = fire(p);
         const auto rank = [](Letter l) { return l == tau ? -2 : l == tick ? -1 : l; };
@@ -165,7 +166,7 @@ private:
         }
         return result;
     }
-    /// Every way in which all the given operands do the letter.
+    /// All ways in which all the given operands perform the letter.
     Moves together(const Process& p, const std::vector<std::size_t>& operands, Letter letter) const {
         std::vector<Process> partial{p};
         for (std::size_t i : operands) {
@@ -221,7 +222,8 @@ private:
         }
         return result;
     }
-    /// A linked event of one side happens only with its partner of the other, unseen; what is not linked is free.
+    /// A linked event of one side occurs only together with its partner of the other side, and is hidden; other events
+    /// are independent.
     Moves linked(const Process& p) const {
         const Moves left = moves(p->operands[0]);
         const Moves right = moves(p->operands[1]);
@@ -271,7 +273,8 @@ private:
         };
         return level(high) >= 0 && level(low) >= 0 && level(high) < level(low);
     }
-    /// prioritisepo: by a chain of pairs, or tau and tick over all that take part but the maximal.
+    /// prioritisepo: `high` is above `low` by a chain of pairs. Tau and tick are above all events in the order except
+    /// the maximal ones.
     static bool above_in_order(const Process& p, Letter high, Letter low) {
         std::set<Letter> lower{high};
         for (std::size_t round = 0; round <= p->renaming.size(); ++round)

@@ -1,4 +1,4 @@
-// Searches whose rows are on disk, with as little memory as can be.
+// Searches whose rows are on disk, with a minimum of memory.
 #pragma once
 
 #include <cstdint>
@@ -7,14 +7,14 @@
 
 namespace robochart::refine {
 
-/// Rows on disk in a fresh folder, 2 KiB for all in memory, filters of four bits and few settlings, so that rows of
-/// open levels are written, filters overflow, and many searches roll back.
+/// Stores rows on disk in a fresh folder, with 2 KiB of memory, filters of four bits and few settlings. So rows of open
+/// levels are written, filters overflow, and many searches roll back.
 class OnDisk final : public LevelStrategy {
 public:
     explicit OnDisk(unsigned ranks) : ranks_(ranks) {}
     std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,
                                     Statistics& statistics) override;
-    /// How often a search has gone back to the begin of a level, of all searches.
+    /// The number of rollbacks to the start of a level, over all searches.
     [[nodiscard]] std::uint64_t rolled_back() const { return rolled_back_; }
 
 private:

@@ -1,4 +1,4 @@
-// Test processes printed as CSPM.
+// Prints test processes as CSPM.
 #include "process_tree.hpp"
 
 #include <fmt/format.h>
@@ -45,7 +45,7 @@ std::string pairs(const Process& process, const char* pattern) {
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// Parallel does not associate in CSPM: of three the replicated form is needed.
+/// Parallel composition is not associative in CSPM: three operands need the replicated form.
 std::string replicated(const Process& process) {
     return fmt::format("([|{}|] i:{{0..2}} @ (if i == 0 then {} else if i == 1 then {} else {}))",
                        letters(process->set), show(process->operands[0]), show(process->operands[1]),

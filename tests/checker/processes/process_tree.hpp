@@ -1,4 +1,4 @@
-// Processes of tests as plain trees: input to the checker, through terms or as CSPM text, and to the naive reference.
+// Test processes as plain trees. They are input for the checker, as terms or as CSPM text, and for the naive reference.
 #pragma once
 
 #include <memory>
@@ -50,8 +50,10 @@ struct Tree {
     std::vector<Letter> letters;                      ///< prefix: one per operand
     std::set<Letter> set;                             ///< prioritise_order: the events in the order
     std::vector<std::set<Letter>> sets;               ///< alphabets or priority levels; prioritise_order: the maximal
-    std::vector<std::pair<Letter, Letter>> renaming;  ///< linked: the links; prioritise_order: (higher, lower)
-    int name = 0;                                     ///< call: the definition; compress: which compression
+                                                      ///< events
+    std::vector<std::pair<Letter, Letter>> renaming;  ///< linked: the links; prioritise_order: pairs (higher, lower)
+    int name = 0;                                     ///< call: the number of the definition; compress: the kind of
+                                                      ///< compression
 };
 
 /// Named processes; main may call them.
@@ -60,9 +62,9 @@ struct Script {
     std::vector<Process> mains;
 };
 
-/// In CSPM; OMEGA, which CSPM cannot write, is what a terminated process has become.
+/// Prints the process as CSPM. CSPM cannot express OMEGA, the state after termination.
 std::string show(const Process& process);
-/// A whole script in CSPM: the mains are M0, M1 ...
+/// A whole script in CSPM: the main processes are M0, M1 ...
 std::string show(const Script& script);
 
 }  // namespace robochart::refine::naive

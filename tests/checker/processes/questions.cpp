@@ -48,10 +48,10 @@ Process changed(const Process& process, const std::function<void(Tree&)>& change
     return std::make_shared<const Tree>(std::move(tree));
 }
 
-/// The process with one of its operands replaced in every smaller way.
+/// All processes in which one operand is replaced by a smaller one.
 void smaller_operands(const Process& process, std::vector<Process>& out);
 
-/// Every process one step smaller.
+/// All processes that are one step smaller.
 std::vector<Process> smaller(const Process& process) {
     std::vector<Process> result;
     const Process stop = std::make_shared<const Tree>();
@@ -82,7 +82,8 @@ void smaller_operands(const Process& process, std::vector<Process>& out) {
             out.push_back(changed(process, [&](Tree& tree) { tree.operands[i] = next; }));
 }
 
-/// Recursion before any event, which has no meaning: shrinking must not make it.
+/// Whether every recursion is guarded by an event: shrinking must not produce unguarded recursion, which has no
+/// meaning.
 bool guarded(const Process& process) {
     if (process->kind == Kind::call) return false;
     if (process->kind == Kind::prefix) return true;

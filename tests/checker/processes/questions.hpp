@@ -1,4 +1,4 @@
-// The questions that the random checks ask of a pair of processes, M0 and M1, with the answers by definition.
+// The questions that the random tests ask about a pair of processes, M0 and M1, with the answers by definition.
 #pragma once
 
 #include <string>
@@ -13,27 +13,27 @@ struct Question {
     enum class Kind { refinement, deadlock_free, divergence_free, deterministic, has_trace };
     Kind kind = Kind::refinement;
     naive::Semantics semantics = naive::Semantics::T;
-    int left = 0;  ///< refinement: the specification's number; else the process's
+    int left = 0;  ///< refinement: the number of the specification; otherwise of the process
     int right = 0;
 };
 
-/// Every question, in a fixed order.
+/// All questions, in a fixed order.
 [[nodiscard]] const std::vector<Question>& questions();
 
-/// A script with two mains, and the trace that is asked for.
+/// A script with two main processes, and the trace for the trace questions.
 struct Case {
     naive::Script script;
     std::vector<naive::Letter> trace;
 };
 
-/// "[T=", "deadlock free" and so on: what kind of question it is.
+/// "[T=", "deadlock free" and so on: the kind of the question.
 [[nodiscard]] std::string topic(const Question& question);
 /// The question as an assertion about M0 and M1.
 [[nodiscard]] std::string assertion(const Question& question, const std::vector<naive::Letter>& trace);
-/// The case with all its assertions, in the order of questions(): a script to load.
+/// The case as a script with all its assertions, in the order of questions().
 [[nodiscard]] std::string cspm(const Case& asked);
 
-/// The two graphs of a case; none if they are larger than a test wants.
+/// The two graphs of a case; nullopt if they are larger than a test can use.
 struct Graphs {
     naive::Graph graphs[2];
 };
@@ -41,11 +41,12 @@ struct Graphs {
 /// The answer by definition.
 [[nodiscard]] bool expected(const Question& question, const Graphs& graphs, const std::vector<naive::Letter>& trace);
 
-/// Smaller and smaller cases that still fail: processes are replaced by their parts and by STOP, sets lose members.
+/// Shrinks a case as long as it still fails: replaces processes by their operands or by STOP, and removes elements from
+/// sets.
 template <class Fails>
 [[nodiscard]] Case shrink(Case failing, const Fails& fails);
 
-/// All cases one step smaller, the smallest first.
+/// All cases that are one step smaller, the smallest first.
 [[nodiscard]] std::vector<Case> smaller(const Case& asked);
 
 template <class Fails>

@@ -23,7 +23,7 @@ Case RandomCases::random_case() {
     std::vector<unsigned> list;
     while (list.size() < length) list.push_back(static_cast<unsigned>(numbers_() % 1'000'000));
     Case made{naive::Decoder(list).script(2), {static_cast<int>(numbers_() % 3), static_cast<int>(numbers_() % 3)}};
-    // A quarter of the pairs are related, so that refinements hold often enough.
+    // A quarter of the pairs are related, so that enough refinements hold.
     if (numbers_() % 4 == 0)
         made.script.mains[0] = std::make_shared<const naive::Tree>(
             naive::Tree{naive::Kind::internal, {made.script.mains[0], made.script.mains[1]}, {}, {}, {}, {}, 0});

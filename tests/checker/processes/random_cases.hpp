@@ -1,4 +1,4 @@
-// Random cases one after another, the same for the same seed on every compiler; the seed and the number of checks come
+// A sequence of random cases that depends only on the seed, not on the compiler. The seed and the number of checks come
 // from the environment (docs/testing.md).
 #pragma once
 
@@ -13,10 +13,10 @@ inline constexpr std::size_t largest_graph = 120;
 
 class RandomCases {
 public:
-    /// `purpose` sets one test's cases apart from another's.
+    /// `purpose` gives different tests different sequences.
     explicit RandomCases(std::uint64_t purpose);
 
-    /// A case that the naive checker can explore, with its graphs.
+    /// A case that is small enough for the naive checker, with its graphs.
     struct Explored {
         Case asked;
         Graphs graphs;
@@ -28,9 +28,9 @@ private:
     std::mt19937_64 numbers_;
 };
 
-/// ROBOCHART_RANDOM_CHECKS, or the number given.
+/// ROBOCHART_RANDOM_CHECKS, or `otherwise` if it is not set.
 [[nodiscard]] int wanted_checks(int otherwise);
-/// ROBOCHART_RANDOM_SCRIPTS, or the number given.
+/// ROBOCHART_RANDOM_SCRIPTS, or `otherwise` if it is not set.
 [[nodiscard]] int wanted_scripts(int otherwise);
 
 }  // namespace robochart::refine

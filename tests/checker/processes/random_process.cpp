@@ -70,7 +70,7 @@ Process Decoder::prefix(int depth) {
     return std::make_shared<const Tree>(std::move(tree));
 }
 
-/// One mode of a machine: some events stay in it or lead to another mode, one starts components.
+/// One mode of a machine: some events keep the mode or lead to another one, and one event starts components.
 Process Decoder::modes(int depth) {
     const auto lead = [&](Process to) {
         Tree tree{Kind::prefix, {std::move(to)}, {letter()}, {}, {}, {}, 0};
@@ -132,7 +132,7 @@ Process Decoder::with_levels(Kind kind, std::vector<Process> operands, unsigned 
     return std::make_shared<const Tree>(std::move(tree));
 }
 
-/// Several names for one letter, and several letters with one name, included.
+/// The renaming may map several letters to one, and one letter to several.
 Process Decoder::renamed(int depth) {
     Tree tree{Kind::rename, {composite(depth - 1)}, {}, {}, {}, {}, 0};
     for (unsigned pairs = 1 + take(3); pairs > 0; --pairs) {
@@ -142,7 +142,7 @@ Process Decoder::renamed(int depth) {
     return std::make_shared<const Tree>(std::move(tree));
 }
 
-/// No letter is linked twice on one side: FDR refuses that.
+/// Links each letter at most once on each side: FDR rejects other links.
 Process Decoder::linked(int depth) {
     Tree tree{Kind::linked, {composite(depth - 1), composite(depth - 1)}, {}, {}, {}, {}, 0};
     tree.renaming.emplace_back(letter(), letter());
@@ -151,7 +151,7 @@ Process Decoder::linked(int depth) {
     return std::make_shared<const Tree>(std::move(tree));
 }
 
-/// An order without cycles whose maximal events lie below none: what prioritisepo asks for.
+/// An acyclic order with maximal events that are below no other event, as prioritisepo requires.
 Process Decoder::ordered(int depth) {
     Tree tree{Kind::prioritise_order, {composite(depth - 1)}, {}, {0, 1, 2}, {}, {}, 0};
     const Letter first = letter();
@@ -169,7 +169,7 @@ Process Decoder::ordered(int depth) {
 Process Decoder::compressed(Process operand) {
     constexpr int deter = 8;
     Tree tree{Kind::compress, {std::move(operand)}, {}, {}, {}, {}, static_cast<int>(take(9))};
-    if (tree.name == deter) tree.name = deter + 1;  // it is refused: it may change the meaning
+    if (tree.name == deter) tree.name = deter + 1;  // FDR's deter is not supported: it may change the meaning
     return std::make_shared<const Tree>(std::move(tree));
 }
 

@@ -1,5 +1,5 @@
-// Processes made from lists of numbers: a random list gives a random process over all operators, a shorter list or
-// smaller numbers a simpler one, so shrinking the list shrinks the process.
+// Generates processes from lists of numbers. A random list gives a random process over all operators; a shorter list or
+// smaller numbers give a simpler one. So shrinking the list shrinks the process.
 #pragma once
 
 #include <vector>
@@ -14,19 +14,19 @@ class Decoder {
 public:
     explicit Decoder(const std::vector<unsigned>& numbers) : numbers_(numbers) {}
 
-    /// Two named sequential processes with recursion, and main processes over them.
+    /// Two named sequential processes with recursion, and main processes that use them.
     Script script(int mains);
 
 private:
     unsigned take(unsigned below);
     Letter letter() { return static_cast<Letter>(take(letters_used)); }
     std::set<Letter> set();
-    /// A process whose calls stand where they replace it, so that recursion keeps it finite; `guarded`: after an event.
+    /// A process in which calls only occur in tail position, so that recursion stays finite-state; `guarded`: after an
+    /// event.
     Process sequential(int depth, bool guarded);
     Process sequential_leaf(bool guarded);
     Process prefix(int depth);
-    /// A process without calls.
-    /// One mode of a machine with several, before components that run in parallel.
+    /// A process without calls, and one mode of a machine with several modes that lead to parallel components.
     Process modes(int depth);
     Process closed(int depth);
     Process static_leaf();
@@ -39,7 +39,7 @@ private:
 
     const std::vector<unsigned>& numbers_;
     std::size_t next_ = 0;
-    int definitions_ = 0;  // 0 where no calls may be made
+    int definitions_ = 0;  // 0 if calls are not allowed
 };
 
 }  // namespace robochart::refine::naive

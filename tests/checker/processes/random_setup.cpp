@@ -1,4 +1,4 @@
-// The same random cases in every run, unless RC_PARAMS asks for others (a nightly run: more, and a new seed).
+// Uses the same random cases in every run, unless RC_PARAMS is set (a nightly run: more cases and a new seed).
 #include <gtest/gtest.h>
 
 #include <cstdlib>

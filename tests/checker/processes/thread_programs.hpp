@@ -1,4 +1,5 @@
-// Threads of this program as programs that share a search, each with several threads: what docs/scale.md has by MPI.
+// Simulates programs that share a search, each with several threads, by threads of one program. docs/scale.md describes
+// the version with MPI.
 #pragma once
 
 #include <functional>
@@ -7,10 +8,10 @@
 
 namespace robochart::refine {
 
-/// Calls `work` in so many programs with so many threads each, as ranks.
+/// Calls `work` as rank in this many programs with this many threads each.
 void as_programs(unsigned programs, unsigned threads, const std::function<void(Exchange&)>& work);
 
-/// Rows in memory. A system that serves one thread only is searched by one.
+/// Rows are in memory. A system that supports only one thread is searched by one.
 class ThreadPrograms final : public LevelStrategy {
 public:
     ThreadPrograms(unsigned programs, unsigned threads) : programs_(programs), threads_(threads) {}

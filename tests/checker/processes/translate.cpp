@@ -125,7 +125,7 @@ TermId Translation::composite(const naive::Tree& tree, std::vector<TermId> opera
     }
 }
 
-/// Both ends of a link become one event of its own, which the two share and which is hidden.
+/// Both ends of a link are renamed to a new event, on which the two operands synchronise and which is hidden.
 TermId Translation::linked(const naive::Tree& tree, const std::vector<TermId>& operands) {
     process::Renaming left;
     process::Renaming right;

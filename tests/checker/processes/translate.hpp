@@ -1,4 +1,4 @@
-// Test processes as terms of the checker.
+// Translates test processes into terms of the checker.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@
 
 namespace robochart::refine {
 
-/// A script in a term store of its own.
+/// A script in its own term store.
 class Translation {
 public:
-    /// Compressions are carried out, or stand for their operands.
+    /// If `compressing`, compressions are carried out; otherwise they are replaced by their operands.
     explicit Translation(const naive::Script& script, bool compressing = false);
     process::TermSystem system(const naive::Process& process) { return {semantics_, term(process)}; }
     process::TermId term(const naive::Process& process);

@@ -1,4 +1,4 @@
-// Verdicts as texts, so that two searches can be compared.
+// Verdicts as texts, so that tests can compare two searches.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace robochart::refine {
 
-/// All that a verdict says: outcome, reason, figures, and of a counterexample its kind and every step with its state.
+/// The complete verdict: outcome, reason, figures, and for a counterexample its kind and every step with its state.
 [[nodiscard]] std::string everything(const Verdict& verdict);
 
 }  // namespace robochart::refine

@@ -1,4 +1,4 @@
-// An exchange of a rank that meets an error of its own in the midst of what all ranks do together.
+// An exchange that simulates an error of one rank during a collective operation.
 #pragma once
 
 #include <chrono>
@@ -11,12 +11,12 @@
 
 namespace robochart::ranks {
 
-/// Passes everything on to another exchange; at its call of this number it throws instead, before the others hear
-/// anything of it, or sleeps for three seconds, as if it were at work.
+/// Forwards all calls to another exchange. At the call with the given number it throws before the other ranks receive
+/// its message, or sleeps for three seconds.
 class FaultyExchange final : public refine::Exchange {
 public:
     enum class Fault { error, memory, sleep };
-    /// `call`: counted from 0 on.
+    /// `call`: the number of the failing call, from 0.
     FaultyExchange(refine::Exchange& real, std::uint64_t call, Fault fault) : real_(real), left_(call), fault_(fault) {}
 
     [[nodiscard]] unsigned rank() const override { return real_.rank(); }
@@ -38,7 +38,7 @@ public:
         real_.broadcast(bytes);
     }
     [[nodiscard]] bool has_failed() const { return failed_; }
-    /// How many calls there are left until it fails.
+    /// The number of calls before the failing one.
     [[nodiscard]] std::uint64_t left() const { return left_; }
 
 private:

@@ -1,4 +1,4 @@
-// Programs with several threads each, one of which meets an error of its own: all threads of all programs end.
+// Programs with several threads each. If one thread fails, all threads of all programs end.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -16,7 +16,8 @@ using refine::LevelQuestion;
 using refine::Violation;
 using refine::ViolationKind;
 
-/// A binary tree of seven states, whose leaves go back to the root by `back`; or, if there is no such event, end.
+/// A binary tree of seven states. Its leaves return to the root by `back`, or have no transitions if there is no such
+/// event.
 lts::Graph tree(std::optional<process::Event> back) {
     lts::Graph graph;
     for (std::uint32_t state = 0; state < 7; ++state) {
@@ -28,8 +29,8 @@ lts::Graph tree(std::optional<process::Event> back) {
     return graph;
 }
 
-/// What the search by two programs of two threads finds, where one thread's exchange fails at its call of this number;
-/// whether it has failed, and how many have ended with an answer.
+/// The result of a search by two programs with two threads, in which one thread's exchange fails at the given call:
+/// whether the call was reached, and how many threads ended with an answer.
 struct Ended {
     std::optional<Violation> found;
     bool failed = false, threw = false;
@@ -69,7 +70,7 @@ Ended search(const lts::Graph& graph, const LevelQuestion& question, unsigned fa
 
 class FaultyThreads : public testing::Test {
 protected:
-    /// Each thread at each of its calls.
+    /// Lets each thread fail at each of its calls.
     static void fail_everywhere(const lts::Graph& graph, std::optional<ViolationKind> expected) {
         LevelQuestion question;
         question.kind = LevelQuestion::Kind::deadlock;
@@ -84,7 +85,7 @@ protected:
                     continue;
                 }
                 EXPECT_EQ(ended.answers, 4U);
-                EXPECT_GT(call, 10U);  // it has more calls than these
+                EXPECT_GT(call, 10U);  // the call number exceeds the number of calls
                 ASSERT_EQ(ended.found.has_value(), expected.has_value());
                 if (expected) {
                     EXPECT_EQ(ended.found->kind, *expected);
@@ -106,7 +107,7 @@ TEST_F(FaultyThreads, EndAllWhereADivergenceIsFound) {
     fail_everywhere(tree(process::tau), ViolationKind::divergence);
 }
 
-/// A system of which there is one more, to ask whether that is possible, but no second one.
+/// A system that can be copied once, for the test whether copies are possible, but not again.
 class OnceMore final : public lts::TransitionSystem {
 public:
     OnceMore(const lts::Graph& graph, const process::EventTable& events) : graph_(graph), system_(graph, events) {}
@@ -126,7 +127,7 @@ private:
     mutable std::atomic<bool> asked_{false};
 };
 
-/// All know of it, so that they could go on with another search.
+/// All threads learn of the error, so that they can start another search.
 TEST_F(FaultyThreads, LeaveTogetherWhereAThreadHasNoSystem) {
     const lts::Graph graph = tree(process::Event{5});
     const process::EventTable events;

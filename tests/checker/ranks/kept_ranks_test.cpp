@@ -1,5 +1,5 @@
-// Searches by ranks that are programs of their own, whose rows are kept in a folder: ended and gone on with by other
-// numbers of ranks, also by threads of one program; one rank that cannot write, or sees another folder.
+// Searches by ranks in separate programs whose rows are stored in a folder: they are stopped and resumed by other
+// numbers of ranks, and by threads of one program. Also ranks that cannot write, or that see another folder.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ protected:
             all.push_back(s_.cycle("C" + std::string(cell), events));
         }
         cells_ = compiler_.compile(s_.over(Op::parallel, all, {}), {});
-        // Forbids what six cells do after a dozen steps.
+        // A specification that forbids an event that six cells can perform after a dozen steps.
         TermId few = s_.stop();
         for (int step = 0; step < 12; ++step) {
             std::vector<std::pair<std::string, TermId>> branches;
@@ -64,7 +64,7 @@ protected:
 
     [[nodiscard]] std::string kept() const { return folder_.path() + "/kept"; }
     [[nodiscard]] bool there() const { return fs::exists(kept() + "/questions"); }
-    /// The folder of the search that is open.
+    /// The folder of the current search.
     [[nodiscard]] std::string search() const {
         for (const auto& each : fs::directory_iterator(kept()))
             if (each.path().filename().string().starts_with("search-")) return each.path().string();
@@ -110,7 +110,7 @@ protected:
         refine::ThreadRanks strategy(1);
         return decide(strategy, 1'000'000);
     }
-    /// By programs that know no more than what they are sent, of so many ranks each.
+    /// Decides with programs that know only what they receive; `count` ranks in all.
     Answers by_ranks(unsigned count, bool disk, std::uint64_t most_states = 1'000'000, unsigned threads = 1) {
         Answers answers;
         refine::as_ranks(count, [&](refine::Exchange& exchange) {
@@ -158,7 +158,7 @@ TEST_F(KeptRanks, GoOnFromWhatOtherNumbersOfRanksHaveKept) {
     EXPECT_EQ(said_.find("begins anew"), std::string::npos) << said_;
 }
 
-// A folder stands where one of the ranks writes its part of the next checkpoint.
+// A folder exists where one of the ranks wants to write its part of the next checkpoint.
 TEST_F(KeptRanks, LeaveTheSearchTogetherWhereOneCannotWrite) {
     const Answers expected = in_memory();
     (void)by_ranks(2, false, 500);
@@ -173,7 +173,7 @@ TEST_F(KeptRanks, LeaveTheSearchTogetherWhereOneCannotWrite) {
     EXPECT_EQ(by_ranks(2, false), expected);
 }
 
-/// Of a rank for which the folder has another name.
+/// The exchange of a rank that sees the folder under another name.
 class OtherFolder final : public refine::Exchange {
 public:
     OtherFolder(refine::Exchange& real, std::string from, std::string to)
@@ -219,7 +219,7 @@ TEST_F(KeptRanks, AreRefusedWhereOneSeesAnotherFolder) {
     EXPECT_EQ(by_ranks(2, false), expected);
 }
 
-// A rank that has no memory left in the midst of an exchange keeps what it has alone; the others write no more.
+// A rank runs out of memory during an exchange and saves its part alone; the others write no more.
 TEST_F(KeptRanks, GoOnWhereOneHasFailedAlone) {
     const Answers expected = in_memory();
     for (const unsigned failing : {0U, 1U}) {
@@ -239,7 +239,7 @@ TEST_F(KeptRanks, GoOnWhereOneHasFailedAlone) {
     EXPECT_EQ(said_.find("begins anew"), std::string::npos) << said_;
 }
 
-// Those of a run whose first rank was killed may still write for a moment.
+// Ranks of a run whose first rank was killed may continue to write for a moment.
 TEST_F(KeptRanks, AreRefusedWhileRanksOfAnEarlierRunUseTheFolder) {
     const Answers expected = in_memory();
     (void)by_ranks(2, false, 500);
@@ -257,7 +257,7 @@ TEST_F(KeptRanks, AreRefusedWhileRanksOfAnEarlierRunUseTheFolder) {
     EXPECT_EQ(by_ranks(2, false), expected);
 }
 
-// An error of one rank alone in the midst of the last checkpoint: the others wait for it, which it knows.
+// One rank fails alone during the last checkpoint: the others wait for it, and it knows this.
 TEST_F(KeptRanks, KnowWhoWaitsWhereOneFailsInTheLastCheckpoint) {
     const auto stop_at = [&](std::uint64_t call, std::uint64_t& left) {
         bool failed = false;
@@ -293,10 +293,10 @@ TEST_F(KeptRanks, KnowWhoWaitsWhereOneFailsInTheLastCheckpoint) {
     for (std::uint64_t call = calls - 4; call < calls; ++call) EXPECT_TRUE(stop_at(call, left)) << call;
 }
 
-/// Of a rank that comes back late from whatever all do together.
+/// The exchange of a rank that returns late from every collective operation.
 class LateExchange final : public refine::Exchange {
 public:
-    /// `late` is called then.
+    /// `late` is called after every operation.
     LateExchange(refine::Exchange& real, std::function<void()> late) : real_(real), late_(std::move(late)) {}
     [[nodiscard]] unsigned rank() const override { return real_.rank(); }
     [[nodiscard]] unsigned ranks() const override { return real_.ranks(); }
@@ -323,7 +323,8 @@ private:
     std::function<void()> late_;
 };
 
-// The first rank may remove the folder of a search that has ended, or begin another one in it.
+// The first rank may remove the folder of a finished search, or start another search in it, so all ranks must have
+// released it.
 TEST_F(KeptRanks, HaveLetGoOfTheFolderWhereASearchHasEnded) {
     const auto late = [] { std::this_thread::sleep_for(std::chrono::milliseconds(2)); };
     for (const std::uint64_t most_states : {50U, 300U})
@@ -346,7 +347,8 @@ TEST_F(KeptRanks, HaveLetGoOfTheFolderWhereASearchHasEnded) {
         });
 }
 
-// A limit while the first rank waits for another one: it is not ended by force before the checkpoint is complete.
+// A limit is reached while the first rank waits for another one. It must not be ended by force before the checkpoint is
+// complete.
 TEST_F(KeptRanks, AreNotDisturbedWhileTheyWaitBehindALimit) {
     std::atomic<bool> interrupted{false};
     std::atomic<int> held{0}, disturbed{0};
@@ -359,10 +361,11 @@ TEST_F(KeptRanks, AreNotDisturbedWhileTheyWaitBehindALimit) {
     };
     refine::as_ranks(2, [&](refine::Exchange& real) {
         int calls = 0;
-        // The other rank is at work, at a moment when all have found some levels.
+        // The other rank is busy, at a time when all ranks have stored some levels.
         const auto at_work = [&] {
             if (++calls != 30) return;
-            std::this_thread::sleep_for(std::chrono::milliseconds(50));  // it comes back from the call before
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));  // the first rank returns from the previous
+                                                                         // call
             const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
             while (held == 0 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
             EXPECT_GT(held, 0) << "the first rank could be ended by force";

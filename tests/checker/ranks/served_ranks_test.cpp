@@ -1,5 +1,5 @@
-// Searches whose other programs know no more than what they are sent: the same answers, figures and runs as by one
-// rank.
+// Searches whose other programs know only what they receive. They must give the same answers, figures and
+// counterexamples as one rank.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ using refine::Verdict;
 
 using Ask = std::function<std::vector<std::string>(const refine::Limits&)>;
 
-/// What `ask` says where the first program asks, and the others serve; each has so many threads.
+/// The answers of `ask` in the first program while the other programs serve; each program has this many threads.
 std::vector<std::string> by_programs(unsigned programs, unsigned threads, bool reduction, const Ask& ask) {
     std::vector<std::string> answers;
     refine::as_ranks(programs, [&](refine::Exchange& exchange) {
@@ -87,7 +87,7 @@ TEST(ServedRanks, AnswerAsOneRankDoes) {
 
 class Cells : public testing::Test {
 protected:
-    /// Equal cells of four states, called by other names.
+    /// Equal cells of four states; the events of each cell have other names.
     TermId cells(int count = 6) {
         std::vector<TermId> all;
         for (int cell = 0; cell < count; ++cell) {
@@ -102,7 +102,7 @@ protected:
     machine::Compiler compiler{semantics};
 };
 
-/// Multisets of six among four: 84 of 4096.
+/// Multisets of six elements from four: 84 of 4096 states.
 TEST_F(Cells, AreFoldedAtEachRank) {
     const auto system = compiler.compile(cells(), {});
     const auto answers = by_programs(3, 2, true, [&](const refine::Limits& limits) {
@@ -143,8 +143,8 @@ TEST_F(Cells, EndAtLimitsOfTheFirstRank) {
     });
 }
 
-/// Whichever program meets an error of its own at whichever call, all end: the first one knows that the others wait for
-/// it, and searches no more.
+/// All programs end, whichever program fails at whichever call. The first program knows that the others wait for it,
+/// and starts no further search.
 TEST_F(Cells, EndTogetherWhateverProgramFails) {
     const auto system = compiler.compile(cells(2), {});
     for (const unsigned round : {0U, 1U, 2U, 3U})
@@ -189,7 +189,7 @@ TEST_F(Cells, EndTogetherWhateverProgramFails) {
                 all_ended_well = false;
             }
             if (all_ended_well) {
-                EXPECT_GT(call, 10U);  // it has more calls than these
+                EXPECT_GT(call, 10U);  // the call number exceeds the number of calls
                 break;
             }
             ASSERT_LT(call, 10'000U) << failed;
@@ -200,7 +200,7 @@ std::vector<refine::RunStep> steps(lts::TransitionSystem& system, lts::StateView
     return refine::steps_from(system, state);
 }
 
-/// Bytes that say otherwise are refused, or are those of another process that can be searched.
+/// Damaged bytes are rejected, or describe another process that can be searched.
 TEST(Transfer, DamagedBytesAreRefusedOrSearched) {
     Scripted s;
     for (process::Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
@@ -237,7 +237,7 @@ TEST(Transfer, DamagedBytesAreRefusedOrSearched) {
     EXPECT_GT(refused, 100);
 }
 
-// The others poll the deadline of the first program, too.
+// The other programs also observe the deadline of the first program.
 TEST(Transfer, HasTheTimeThatIsLeft) {
     Scripted s;
     for (process::Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
@@ -255,7 +255,7 @@ TEST(Transfer, HasTheTimeThatIsLeft) {
     }
 }
 
-// Another build may have other rows: no search begins, and all know it.
+// Another build may have a different row format: no search starts, and all programs know it.
 TEST_F(Cells, AreNotSearchedByProgramsOfOtherBuilds) {
     const auto system = compiler.compile(cells(), {});
     for (const unsigned threads : {1U, 2U})
@@ -276,7 +276,7 @@ TEST_F(Cells, AreNotSearchedByProgramsOfOtherBuilds) {
         });
 }
 
-/// Of a rank that has no memory left for a sum: the others do not know.
+/// The exchange of a rank that runs out of memory in a sum, unknown to the others.
 class ShortOfMemory final : public refine::Exchange {
 public:
     [[nodiscard]] unsigned rank() const override { return 1; }
@@ -293,7 +293,7 @@ private:
     bool served_ = false;
 };
 
-// What the others do not know of is not passed over: they wait for this rank.
+// A rank must not ignore an error that the others do not learn of, because they wait for this rank.
 TEST(Transfer, AnErrorThatOthersDoNotHearOfEndsTheRank) {
     ShortOfMemory exchange;
     EXPECT_THROW(serve(exchange, program), std::bad_alloc);

@@ -1,5 +1,5 @@
-// The checker against the naive reference on random processes over all operators, in every model, by every engine.
-// ROBOCHART_RANDOM_CHECKS and ROBOCHART_RANDOM_SEED ask for more and for others (docs/testing.md).
+// The checker compared with the naive reference on random processes over all operators, in every model, with every
+// engine. ROBOCHART_RANDOM_CHECKS and ROBOCHART_RANDOM_SEED select more and other cases (docs/testing.md).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace {
 using naive::Behaviour;
 using naive::Semantics;
 
-/// How often each answer was seen, so that the test cannot become empty.
+/// Counts of each answer, which show that the test is not vacuous.
 struct Seen {
     int checks = 0;
     int holds = 0;
@@ -33,21 +33,21 @@ struct Seen {
     void count(bool held) { ++checks, ++(held ? holds : fails); }
 };
 
-/// How a question is answered.
+/// The options with which a question is answered.
 struct Way {
     enum class Form { terms, compressing_terms, machines };
     Form form = Form::machines;
-    bool taus = false;      ///< states that confluent taus lead on from are left out
-    bool symmetry = false;  ///< states that differ in which replica does what are left out
-    unsigned threads = 1;   ///< of the ordinary search, however few states there are
-    unsigned ranks = 0;     ///< 0: the ordinary search; else that by levels
-    bool disk = false;      ///< by levels: rows on disk
+    bool taus = false;      ///< follow confluent taus
+    bool symmetry = false;  ///< reduce symmetric states
+    unsigned threads = 1;   ///< of the ordinary search, also for small systems
+    unsigned ranks = 0;     ///< 0: the ordinary search; otherwise the level search
+    bool disk = false;      ///< level search: rows on disk
 
     [[nodiscard]] bool leaves_out() const { return form == Form::machines && (taus || symmetry); }
 };
 
 constexpr unsigned most_threads = 3;
-constexpr unsigned most_ranks = 4;  // in memory four are two programs with two threads each
+constexpr unsigned most_ranks = 4;  // four ranks in memory are two programs with two threads each
 
 std::string text(const Way& way) {
     const char* const forms[] = {"as terms", "with compressions", "compiled"};
@@ -58,7 +58,7 @@ std::string text(const Way& way) {
     return result + (way.disk ? ", on disk" : "") + ", ranks: " + std::to_string(way.ranks);
 }
 
-/// Ways one after the other, the same for the same seed on every compiler.
+/// A sequence of ways that depends only on the seed, not on the compiler.
 class RandomWays {
 public:
     explicit RandomWays(std::uint64_t seed) : numbers_(seed) {}
@@ -84,7 +84,7 @@ private:
     std::mt19937_64 numbers_;
 };
 
-/// A system whose searches leave out what these allow.
+/// A system that supports the reductions of these ways.
 class Reducible final : public lts::TransitionSystem {
 public:
     Reducible(std::unique_ptr<lts::TransitionSystem> inner, bool taus, bool symmetry)
@@ -111,7 +111,7 @@ private:
     bool taus_, symmetry_;
 };
 
-/// The second process beside itself, so that there are replicas. (The seed decides how they are linked.)
+/// Puts the second process in parallel with itself to create replicas. (The seed decides how they are linked.)
 void double_process(Case& asked, RandomWays& numbers) {
     naive::Tree both;
     both.kind = naive::Kind::parallel;
@@ -134,7 +134,7 @@ bool uses(const naive::Script& script, naive::Kind kind) {
     return somewhere(script.definitions) || somewhere(script.mains);
 }
 
-/// Compressions may change what chase follows.
+/// A compression may change which tau `chase` follows.
 bool compressible(const naive::Script& script) {
     return !uses(script, naive::Kind::chase) && uses(script, naive::Kind::compress);
 }
@@ -161,13 +161,13 @@ Verdict ask(const Question& question, lts::TransitionSystem& left, lts::Transiti
     return {};
 }
 
-/// A case with its systems in all forms, each made when it is asked for.
+/// A case with its systems in all forms, created when they are needed.
 class Systems {
 public:
     explicit Systems(const Case& asked) : asked_(asked), plain_(asked.script), compressing_(asked.script, true) {}
 
     Translation& translation(Way::Form form) { return form == Way::Form::compressing_terms ? compressing_ : plain_; }
-    /// Of the main process with this number. A process that is not compiled stays a term.
+    /// The system of the main process with this number. A process that is not compiled stays a term.
     std::unique_ptr<lts::TransitionSystem> system(int main, const Way& way) {
         const naive::Process& process = asked_.script.mains[static_cast<std::size_t>(main)];
         if (way.form == Way::Form::machines)
@@ -202,7 +202,7 @@ class Agreement : public testing::Test {
 protected:
     Limits limits_of(const Way& way);
     Verdict ask_by(Systems& systems, const Question& question, const Case& asked, const Way& way);
-    /// What is wrong with the answer that the question gets in this way, if anything.
+    /// The difference between the answer in this way and the expected one, if any.
     std::optional<std::string> fault(Systems& systems, const Question& question, const Case& asked,
                                      const Graphs& graphs, const Way& way);
     bool agrees(Systems& systems, const Question& question, const Case& asked, const Graphs& graphs, const Way& way);
@@ -212,7 +212,7 @@ protected:
     std::map<std::string, Seen> seen_;
     std::map<std::string, int> ways_;
     int checks_ = 0;
-    int compared_ = 0;  ///< in size with the search of all states in memory, by one thread
+    int compared_ = 0;  ///< compared in size with the search of all states in memory by one thread
     int smaller_ = 0;   ///< searches with fewer states
     int by_symmetry_ = 0;
     int compiled_ = 0;
@@ -261,7 +261,7 @@ std::optional<std::string> Agreement::fault(Systems& systems, const Question& qu
     const Statistics all = ask_by(systems, question, asked, whole).statistics;
     const Statistics& kept = verdict.statistics;
     ++compared_;
-    // Determinism takes searches that depend on what the first one finds.
+    // Determinism needs several searches, and later ones depend on the result of the first.
     if (kept.states > all.states && question.kind != Question::Kind::deterministic)
         return "has more states than there are";
     if (kept.states < all.states) ++smaller_;
@@ -271,7 +271,7 @@ std::optional<std::string> Agreement::fault(Systems& systems, const Question& qu
     return std::nullopt;
 }
 
-/// Shrinks and prints a case on which the engine is wrong.
+/// If the engine is wrong, shrinks and prints the case.
 bool Agreement::agrees(Systems& systems, const Question& question, const Case& asked, const Graphs& graphs,
                        const Way& way) {
     if (!fault(systems, question, asked, graphs, way)) return true;
@@ -329,7 +329,7 @@ TEST_F(Agreement, OnRandomProcesses) {
     EXPECT_GT(compiled_ * 15, left_as_terms_) << "too few processes were compiled: " << compiled_;
 }
 
-// A checker that takes external for internal choice is found out, and by a case as small as they come.
+// A checker that confuses external with internal choice is detected, by a minimal case.
 TEST_F(Agreement, AFaultIsFoundAndShrunk) {
     const std::function<naive::Process(const naive::Process&)> confused = [&](const naive::Process& process) {
         naive::Tree tree = *process;
@@ -352,7 +352,7 @@ TEST_F(Agreement, AFaultIsFoundAndShrunk) {
     Case found = cases.next().asked;
     while (!wrong(found)) found = cases.next().asked;
     const Case least = shrink(found, wrong);
-    // M0 = STOP, M1 = a choice of two different leaves, or an even smaller one.
+    // M0 = STOP, M1 = a choice of two different leaves, or a smaller process.
     EXPECT_TRUE(uses(least.script, naive::Kind::internal)) << show(least.script);
     for (const naive::Process& main : least.script.mains) EXPECT_LE(show(main).size(), 40U) << show(least.script);
 }

@@ -77,7 +77,7 @@ private:
                 return is_nondeterministic();
             case ViolationKind::no_return:
             case ViolationKind::no_trace:
-                return true;  // what the run is for, `expected` has said
+                return true;  // `expected` has checked what the run violates
         }
         return false;
     }
@@ -107,8 +107,8 @@ private:
         return !process_.after(states, letter).empty() && process_.refuses(states, bit_of(letter));
     }
 
-    /// Whether a shortest run is promised, and this one is longer. (A run to a loop of taus may be shorter than in the
-    /// naive graph, which has several states for what are one state of the process, before and on the loop.)
+    /// Whether a shortest run is promised, and this one is longer. (A run to a tau loop may be shorter than in the
+    /// naive graph, where one state of the process may correspond to two states, before and on the loop.)
     bool is_longer() const {
         const std::size_t steps = counterexample_.steps.size();
         if (refines() && question_.semantics != Semantics::FD)

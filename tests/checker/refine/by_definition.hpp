@@ -1,5 +1,5 @@
-// Counterexamples compared with the definitions: the run is one of the naive graph, what it violates is violated at its
-// end, and where a shortest run is promised there is none shorter.
+// Compares counterexamples with the definitions: the run exists in the naive graph, the violation occurs at its end,
+// and if a shortest run is promised, no run is shorter.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,9 @@
 
 namespace robochart::refine {
 
-/// What is wrong with a violation of the question, in words, if anything. `letter`: of an event, tau and tick too.
-/// `exactly`: the searched system does a tau where the naive graph does one; else runs are compared by their traces.
+/// Describes what is wrong with a violation of the question; nullopt if it is correct. `letter` maps events, including
+/// tau and tick. `exactly`: the searched system has the same taus as the naive graph; otherwise only traces are
+/// compared.
 [[nodiscard]] std::optional<std::string> wrong_by_definition(
     const Counterexample& counterexample, const Question& question, const Graphs& graphs, bool exactly,
     const std::function<naive::Letter(process::Event)>& letter);

@@ -1,4 +1,4 @@
-// Known families with verdicts and sizes that are published or follow by counting.
+// Well-known families; their verdicts and sizes are published or follow by counting.
 #include <gtest/gtest.h>
 
 #include "checker/process/term_system.hpp"
@@ -17,7 +17,7 @@ protected:
 };
 
 TEST_F(Classics, SymmetricPhilosophersDeadlock) {
-    // Everyone thinks, sits and picks up his left fork: three events each, and no fewer will do.
+    // All philosophers think, sit down and pick up the left fork: three events each, and a deadlock needs all of them.
     process::TermSystem table = system(dining_philosophers(s, 3, true));
     const Verdict verdict = deadlock_free(table, Model::failures, limits);
     ASSERT_EQ(verdict.outcome, Outcome::fails);
@@ -31,7 +31,7 @@ TEST_F(Classics, AsymmetricPhilosophersDoNot) {
     process::TermSystem table = system(dining_philosophers(s, 3, false));
     const Verdict verdict = deadlock_free(table, Model::failures_divergences, limits);
     EXPECT_EQ(verdict.outcome, Outcome::holds);
-    EXPECT_EQ(verdict.statistics.states, 347U);  // checked by others with four tools
+    EXPECT_EQ(verdict.statistics.states, 347U);  // confirmed by other authors with four tools
     EXPECT_EQ(verdict.statistics.transitions, 947U);
     process::TermSystem five = system(dining_philosophers(s, 5, false));
     EXPECT_EQ(divergence_free(five, limits).statistics.states, 17711U);
@@ -52,7 +52,7 @@ TEST_F(Classics, MilnersSchedulerRunsInTurn) {
     process::TermSystem fewer = system(round_robin(s, count - 1));
     const Verdict wrong = refines(fewer, turns, Model::traces, limits);
     ASSERT_EQ(wrong.outcome, Outcome::fails);
-    EXPECT_EQ(s.events.name(*wrong.counterexample->event), "a.5");  // a.0 should come
+    EXPECT_EQ(s.events.name(*wrong.counterexample->event), "a.5");  // a.0 is expected here
     EXPECT_EQ(wrong.counterexample->required, (std::vector<process::EventSet>{{s.event("a.0")}}));
 }
 
@@ -62,7 +62,7 @@ TEST_F(Classics, ABufferChainIsABuffer) {
     process::TermSystem whole = system(buffer(s, places));
     const Verdict forth = refines(whole, chain, Model::failures_divergences, limits);
     EXPECT_EQ(forth.outcome, Outcome::holds);
-    EXPECT_EQ(forth.statistics.states, 243U);     // 3^5: every place is empty, 0 or 1
+    EXPECT_EQ(forth.statistics.states, 243U);     // 3^5: each place is empty, 0 or 1
     EXPECT_EQ(forth.statistics.spec_nodes, 63U);  // 2^6 - 1 contents
     EXPECT_EQ(refines(chain, whole, Model::failures_divergences, limits).outcome, Outcome::holds);
     EXPECT_EQ(deterministic(chain, Model::failures_divergences, limits).outcome, Outcome::holds);

@@ -1,5 +1,6 @@
-// Each compression keeps the models it claims to keep (lts/compressor.hpp): the machine it makes of a random process is
-// compared with the process by the naive checker, both ways, in T, F and FD; in contexts by agreement_test.cpp.
+// Each compression preserves the models that it claims to preserve (lts/compressor.hpp). The naive checker compares the
+// compressed machine of a random process with the process, in both directions, in T, F and FD. agreement_test.cpp tests
+// compressions in contexts.
 #include <gtest/gtest.h>
 
 #include "checker/lts/graph.hpp"

@@ -1,5 +1,5 @@
 // Algebraic laws of CSP (Roscoe, TPC 1998 and UCS 2010) on random processes: both directions in F and FD, unless the
-// law is an inequality. The numbers behind the processes shrink.
+// law is an inequality. The numbers that generate the processes shrink.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
@@ -128,7 +128,7 @@ RC_GTEST_PROP(Laws, InterruptExceptionAndSliding, ()) {
     l.equal(make(Kind::sync_interrupt, {l.p(), l.q()}, {}), make(Kind::interrupt, {l.p(), l.q()}));
 }
 
-// UCS 20.2: where no event of a lower level is ever offered, prioritise does nothing.
+// UCS 20.2: if no event of a lower level is ever offered, prioritise is the identity.
 RC_GTEST_PROP(Laws, PrioritiseWithOneLevelIsTheIdentity, ()) {
     Laws l;
     const Process one_level =
@@ -137,7 +137,7 @@ RC_GTEST_PROP(Laws, PrioritiseWithOneLevelIsTheIdentity, ()) {
     l.refined_by(l.p(), make(Kind::compress, {l.p()}));
 }
 
-// FDR manual, chase: it follows some of the taus and drops the rest, so it only removes behaviour.
+// FDR manual, chase: it follows some of the taus and discards the others, so it only removes behaviour.
 RC_GTEST_PROP(Laws, ChaseRefines, ()) {
     Laws laws;
     laws.refined_by(laws.p(), make(Kind::chase, {laws.p()}));

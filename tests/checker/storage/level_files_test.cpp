@@ -1,5 +1,5 @@
-// Levels in files, and checkpoints of them: what another process reads is what the newest complete checkpoint has,
-// whenever the one that wrote it was ended; and damage is refused.
+// Levels in files, and their checkpoints. Another process reads the contents of the newest complete checkpoint,
+// whenever the writer was ended. Damaged files are rejected.
 #include "checker/storage/level_files.hpp"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// The rows of a level in these tests: so many that some levels have several blocks, and some none.
+/// The rows of a level in these tests: some levels have several blocks, and some have no rows.
 std::vector<Word> rows_of(std::uint32_t level, Word salt = 0) {
     const std::size_t counts[] = {1, 0, 17, RowFile::rows_of_block + 3, 400, 2 * RowFile::rows_of_block};
     std::vector<Word> rows;
@@ -46,7 +46,7 @@ protected:
                          [&](std::span<const Word> block) { rows.insert(rows.end(), block.begin(), block.end()); });
         return rows;
     }
-    /// Whether these are the levels of `rows_of`, read in both ways.
+    /// Checks that the files contain the levels of `rows_of`, read in both ways.
     static void expect_levels(LevelFiles& files, Word salt = 0, std::uint32_t salted_from = 0) {
         std::uint64_t sum = 0;
         for (std::uint32_t level = 0; level < files.levels(); ++level) {
@@ -102,7 +102,7 @@ TEST_F(Levels, AreReadAgainAfterACheckpoint) {
     beside.clear();
     LevelFiles::read_beside(where(), found[0].marks, false, {}, take);
     EXPECT_EQ(beside, (std::vector<std::vector<Word>>{{1, 2, 3, 4, 5, 6}}));
-    // It goes on, and what is no longer needed goes.
+    // The search continues, and files that are no longer needed are removed.
     for (std::uint32_t level = 13; level < 25; ++level) again.add_level(rows_of(level));
     again.checkpoint({});
     const std::vector<Checkpoint> later = newest();
@@ -114,7 +114,8 @@ TEST_F(Levels, AreReadAgainAfterACheckpoint) {
     EXPECT_EQ(files_there(), 3U) << "a checkpoint and the files of two runs";
 }
 
-// Of a level of four blocks those are given that are wanted, by their first rows and those of the next.
+// Of a level of four blocks, only the selected blocks are read. A block is selected by its first row and that of the
+// next block.
 TEST_F(Levels, AreReadBlockByBlock) {
     LevelFiles files(where());
     std::vector<Word> rows;
@@ -125,11 +126,11 @@ TEST_F(Levels, AreReadBlockByBlock) {
     const Word last = 3 * RowFile::rows_of_block;
     const std::pair<Word, std::vector<Word>> wanted[] = {
         {0, {0}},                                                // the first row
-        {2 * RowFile::rows_of_block, {RowFile::rows_of_block}},  // that of a block
+        {2 * RowFile::rows_of_block, {RowFile::rows_of_block}},  // the first row of a block
         {2 * RowFile::rows_of_block - 1, {0}},                   // a gap between blocks
         {2 * RowFile::rows_of_block + 7, {RowFile::rows_of_block}},
         {2 * count - 2, {last}},  // the last row
-        {2 * count, {last}},      // behind all
+        {2 * count, {last}},      // after all rows
     };
     for (const auto& [row, blocks] : wanted) {
         std::vector<Word> given;
@@ -145,7 +146,7 @@ TEST_F(Levels, AreReadBlockByBlock) {
     }
 }
 
-// What a roll-back forgets takes no space, and levels behind it can be given up, but for those of the last checkpoint.
+// Levels that a rollback discarded occupy no space. Later levels can be given up, except those of the last checkpoint.
 TEST_F(Levels, CanBeGivenUpToTheLastCheckpoint) {
     LevelFiles files(where());
     for (std::uint32_t level = 0; level < 4; ++level) files.add_level(rows_of(level));
@@ -166,7 +167,7 @@ TEST_F(Levels, CanBeGivenUpToTheLastCheckpoint) {
     expect_levels(files);
 }
 
-// What is forgotten is still there for the checkpoint before.
+// Discarded levels still exist for the previous checkpoint.
 TEST_F(Levels, CanBeForgottenAndWrittenAnew) {
     LevelFiles files(where());
     for (std::uint32_t level = 0; level < 10; ++level) files.add_level(rows_of(level));
@@ -185,7 +186,7 @@ TEST_F(Levels, CanBeForgottenAndWrittenAnew) {
     expect_levels(after, 100, 4);
 }
 
-// With several ranks, a checkpoint counts once all have written theirs.
+// With several ranks, a checkpoint counts when all ranks have written their parts.
 TEST_F(Levels, GoBackToTheCheckpointThatAllRanksHave) {
     LevelFiles first(where({0, 2}));
     LevelFiles second(where({1, 2}));
@@ -211,7 +212,7 @@ TEST_F(Levels, GoBackToTheCheckpointThatAllRanksHave) {
     EXPECT_EQ(newest().at(1).number, 2U);
 }
 
-// A rank that goes on writing checkpoints while another cannot does not remove what both have.
+// If one rank continues to write checkpoints and another cannot, the common checkpoint is not removed.
 TEST_F(Levels, KeepTheCheckpointThatAllRanksHave) {
     LevelFiles first(where({0, 2}));
     LevelFiles second(where({1, 2}));
@@ -234,7 +235,7 @@ TEST_F(Levels, KeepTheCheckpointThatAllRanksHave) {
     EXPECT_EQ(newest_in(folder_.path()).greatest, 5U);
 }
 
-// Those of one number belong together, even if one has more levels; whoever reads them takes what both have.
+// Parts with the same number belong together, even if one has more levels; the reader uses the common levels.
 TEST_F(Levels, AreInCheckpointsOfMoreLevelsAndOfFewer) {
     LevelFiles first(where({0, 2}));
     LevelFiles second(where({1, 2}));
@@ -254,7 +255,7 @@ TEST_F(Levels, AreInCheckpointsOfMoreLevelsAndOfFewer) {
     EXPECT_EQ(adopted(found[1]).levels(), 2U);
 }
 
-// Rows are found by their place in a level, which a short block in between would make wrong for ever.
+// Rows are found by their position in a level, so a short block before others would make all later positions wrong.
 TEST_F(Levels, AreRefusedWithAShortBlockBeforeOthers) {
     RowFile file = RowFile::create(folder_.path() + "/rows-0-of-1-0", where().kind);
     file.append(0, std::vector<Word>{1, 1, 1});
@@ -341,7 +342,7 @@ TEST_F(Levels, AreRefusedWhereACheckpointIsDamaged) {
         ASSERT_THAT(refused(damaged), HasSubstr(path)) << at;
         ASSERT_THAT(refused(whole.substr(0, at)), HasSubstr(path)) << at;
     }
-    // With a check that is right, too.
+    // Also with a correct checksum.
     const std::string text = whole.substr(0, whole.find("check "));
     std::mt19937 random(3);
     int tried = 0;
@@ -357,7 +358,7 @@ TEST_F(Levels, AreRefusedWhereACheckpointIsDamaged) {
             check += "0123456789abcdef"[byte / 16];
             check += "0123456789abcdef"[byte % 16];
         }
-        (void)refused(other + "check " + check + "\n");  // refused or read; no crash
+        (void)refused(other + "check " + check + "\n");  // rejected or read; no crash
     }
     EXPECT_GT(tried, 100);
     EXPECT_EQ(refused(whole), "");
@@ -365,7 +366,7 @@ TEST_F(Levels, AreRefusedWhereACheckpointIsDamaged) {
     EXPECT_THAT(refused(whole), HasSubstr("rows-0-of-1-0: cannot be read"));
 }
 
-// One file for each checkpoint, of which hardly any is open.
+// There is one file per checkpoint, and almost none of them is open.
 TEST_F(Levels, NeedFewOpenFiles) {
     constexpr std::uint32_t levels = 30;
     const tests::OpenFilesLimit limit(6);

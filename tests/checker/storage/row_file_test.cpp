@@ -1,5 +1,4 @@
-// Files of rows: what is written is read again; what is damaged in any way is refused with the file, the place and the
-// cause.
+// Files of rows: written rows are read back; damaged files are rejected with the file, the position and the cause.
 #include "checker/storage/row_file.hpp"
 
 #include <gmock/gmock.h>
@@ -22,7 +21,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// Rows of a width, ascending, none twice: near each other or anywhere.
+/// Random rows of a width, ascending and without duplicates: close to each other or anywhere.
 std::vector<Word> random_rows(std::mt19937& random, std::size_t width, std::size_t count, bool near) {
     std::set<std::vector<Word>> rows;
     for (std::size_t tries = 0; rows.size() < count && tries < 10 * count; ++tries) {
@@ -58,7 +57,7 @@ TEST(RowCodec, HoldsTheLeastAndTheGreatestRow) {
     EXPECT_EQ(again, rows);
 }
 
-// Rows that count up take a byte each.
+// Consecutive rows need one byte each.
 TEST(RowCodec, IsShortForNeighbours) {
     std::vector<Word> rows;
     for (Word i = 0; i < 1000; ++i) rows.insert(rows.end(), {7, 1'000'000 + i});
@@ -67,7 +66,7 @@ TEST(RowCodec, IsShortForNeighbours) {
     EXPECT_LE(code.size(), 1000U + 8);
 }
 
-// Whatever the bytes are: rows that come out are ascending.
+// For any bytes, the decoded rows are ascending.
 TEST(RowCodec, TakesAnyBytes) {
     std::mt19937 random(2);
     int taken = 0;
@@ -114,11 +113,12 @@ protected:
     static void put(const std::string& path, const std::string& bytes) {
         std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
     }
-    /// To the next place to look at: all of the head, the first level and the end, and samples of what is between.
+    /// The distance to the next position to test: every byte of the header, the first level and the end, and samples in
+    /// between.
     static std::size_t step(std::size_t at, const std::string& whole) {
         return at < 200 || at + 200 > whole.size() ? 1U : 499U;
     }
-    /// The message with which a file of these bytes is refused; "" where it is not.
+    /// The message with which a file of these bytes is rejected; "" if it is accepted.
     std::string refused(const std::string& bytes) {
         put(path("given"), bytes);
         try {
@@ -238,7 +238,7 @@ TEST_F(RowFiles, CanBeFinishedWhenThereIsSpaceAgain) {
     file.append(0, std::vector<Word>{5, 6});
     const std::uint64_t size = file.size();
     {
-        const tests::FileLimit limit(size + 10);  // the end does not fit
+        const tests::FileLimit limit(size + 10);  // the end of the file does not fit
         EXPECT_THROW(file.finish(), CannotWrite);
     }
     EXPECT_EQ(std::filesystem::file_size(path("a")), size);
@@ -253,7 +253,7 @@ TEST_F(RowFiles, CanBeFinishedWhenThereIsSpaceAgain) {
     EXPECT_EQ(rows, (std::vector<Word>{5, 6, 1}));
 }
 
-// What is open at the same time says nothing of the file.
+// Too many open files are not reported as damage of the file.
 TEST_F(RowFiles, AreNotDamagedWhereTooManyAreOpen) {
     (void)written("many");
     const tests::OpenFilesLimit limit(0);

@@ -1,4 +1,5 @@
-// Rows in runs come back in order, each once, however they were spread; and a run that cannot be written is not there.
+// Rows in sorted runs are returned in order and without duplicates, however they were distributed; a run that cannot be
+// written does not exist.
 #include "checker/storage/sorted_runs.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +40,7 @@ protected:
     SortedRuns runs_{folder_.path() + "/runs", {width, {}}};
 };
 
-// More runs than are merged at once, some of several blocks, with rows in common.
+// More runs than one merge can take, some of several blocks, with common rows.
 TEST_F(Runs, GiveEachRowOnceInOrder) {
     std::mt19937 random(1);
     std::set<Row> all;

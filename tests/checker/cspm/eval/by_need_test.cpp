@@ -1,5 +1,5 @@
-// What is evaluated by need, as FDR's lazy evaluator has it; work that is given up; sets that cannot be listed.
-// Expected values are by the definition of each operator; `error("never")` stands where nothing may be asked for.
+// Lazy evaluation as in FDR, early evaluation that is abandoned, and sets that cannot be listed. The expected values
+// follow from the definition of each operator. `error("never")` marks expressions that must not be evaluated.
 #include "tests/checker/cspm/outcomes.hpp"
 
 namespace robochart::cspm::test {
@@ -59,7 +59,7 @@ TEST(ByNeed, PartsOfTuplesAndMaps) {
     }
 }
 
-/// Nothing is asked of the set that is cut with, or taken from, the empty one.
+/// If the first set is empty, intersection and difference do not evaluate the second one.
 TEST(ByNeed, TheEmptySetDecidesAlone) {
     EXPECT_EQ(value("inter({}, {" + never + "})"), "{}");
     EXPECT_EQ(value("diff({}, {" + never + "})"), "{}");
@@ -98,7 +98,8 @@ TEST(ByNeed, SequencesDefinedByThemselves) {
               "73");
 }
 
-// Asking early is bounded, and what is given up is worked out where it is needed; recursion as deep as before.
+// Early evaluation is bounded. If it is abandoned, the value is computed when it is needed. The depth of recursion is
+// not reduced.
 TEST(ByNeed, WorkThatIsGivenUp) {
     EXPECT_EQ(value("let slow(0) = 1\n slow(n) = slow(n - 1) within head(<2, slow(1000000000)>)"), "2");
     EXPECT_EQ(value("let slow(0) = 1\n slow(n) = slow(n - 1) within head(tail(<2, slow(10000)>))"), "1");
@@ -150,7 +151,7 @@ TEST(SetsWithoutEnd, Differences) {
     EXPECT_EQ(value("diff(Int, {1})").find("error: the elements of diff"), 0U);
 }
 
-// Sizes are computed, not counted.
+// Sizes are computed without listing the elements.
 TEST(SetsWithoutEnd, LargeSets) {
     EXPECT_EQ(value("card(Set({1..40}))"), "1099511627776");
     EXPECT_EQ(value("card(Map({1..10}, {1..9}))"), "10000000000");
@@ -173,7 +174,7 @@ TEST(DotPatterns, TwoPatternsForOnePart) {
     EXPECT_EQ(value("let f(x.(y @@ (a.b))) = (x, y, a, b) within f(1.2.3)"), "(1, 2.3, 2, 3)");
 }
 
-/// Equality of parts is identity, so a set is one value however it is written.
+/// Parts of values are compared by identity, so equal sets must be one value however they are written.
 TEST(SetsWrittenDifferently, AreOneValueAsPartsOfOthers) {
     const std::string all = "Set({1})";
     const std::string listed = "{{}, {1}}";

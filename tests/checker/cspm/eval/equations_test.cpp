@@ -1,6 +1,6 @@
-// The processes of the published scripts against the equations written out beside them: NAME-procTestK-expected.txt
-// gives a system of equations for procTestK, and procTestK has to be strongly bisimilar to it. A file may have
-// alternatives, of which one has to fit.
+// The processes of the published scripts, compared with published systems of equations. NAME-procTestK-expected.txt
+// contains equations for procTestK, which must be strongly bisimilar to them. If a file has alternatives, one of them
+// must be equal.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct Equation {
     std::string body;
 };
 
-/// The parts between empty lines that have an equals sign; the last part repeats the name asked for.
+/// The sections between empty lines that contain an equals sign; the last section repeats the name of the process.
 std::vector<Equation> equations_in(const std::string& text) {
     std::vector<Equation> result;
     for (std::size_t from = 0; from < text.size();) {
@@ -40,7 +40,7 @@ bool in_a_name(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\'' || c == ':' || c == '(';
 }
 
-/// The text with every name replaced; longer names first, since they may contain shorter ones.
+/// Replaces every name in the text; longer names first, because they may contain shorter ones.
 std::string replaced(const std::string& text, const std::vector<std::pair<std::string, std::string>>& names) {
     std::string result;
     for (std::size_t at = 0; at < text.size();) {
@@ -57,7 +57,7 @@ std::string replaced(const std::string& text, const std::vector<std::pair<std::s
     return result;
 }
 
-/// prioritisepo is written there with its order closed: back to the four arguments of the language.
+/// In these files the order of prioritisepo is already closed. Converts it back to the four arguments of the language.
 std::string with_four_arguments(const std::string& body) {
     const std::size_t order = body.rfind(", {");
     std::set<std::string> events;
@@ -84,7 +84,7 @@ std::string with_four_arguments(const std::string& body) {
     return body.substr(0, order) + ", " + list(events, {}) + ", {" + pairs + "}, " + list(events, below_tau) + ")";
 }
 
-/// The equations as definitions of a script; the one named is `Equation_0`.
+/// The equations as definitions of a script; the requested one is named `Equation_0`.
 std::string definitions(std::vector<Equation> equations, const std::string& asked) {
     std::erase_if(equations, [](const Equation& each) { return each.name == each.body; });  // RUN({}) = RUN({})
     std::stable_partition(equations.begin(), equations.end(), [&](const auto& each) { return each.name == asked; });
@@ -116,7 +116,7 @@ lts::Graph graph_of(lts::TransitionSystem& system) {
     return lts::graph_of(system, most_states);
 }
 
-/// Operators whose steps are refused are compared as they are written.
+/// Compares the unfolded terms first, because the engine rejects the steps of some operators.
 bool equal(Session& session, const ExprPtr& a, const ExprPtr& b) {
     constexpr int deepest_look = 100;
     const auto unfolded = [&](const ExprPtr& process) {
@@ -126,7 +126,7 @@ bool equal(Session& session, const ExprPtr& a, const ExprPtr& b) {
     return lts::bisimilar(graph_of(*session.system(a)), graph_of(*session.system(b)));
 }
 
-/// Why the process is not what the file says; empty if it is.
+/// How the process differs from the file; empty if it does not.
 std::string difference(const std::filesystem::path& script, const std::string& asked,
                        const std::filesystem::path& expected) {
     const std::string equations = definitions(equations_in(contents(expected)), asked);
@@ -146,7 +146,7 @@ TEST(EquationsTest, PublishedProcessesAreWhatIsWrittenBeside) {
     const auto shared = shared_folder();
     if (shared.empty()) GTEST_SKIP() << "the folder of shared scripts is absent";
     const auto suite = shared / "suite" / "cspm";
-    // Two different lambda functions have one name there; a file without any text.
+    // In the first test two different lambda functions have the same name; the second file is empty.
     const std::set<std::string> unusable{"function_processes.csp procTest1", "event_channels.csp procTest1"};
     int compared = 0;
     for (const PublishedScript& each : published_scripts(suite)) {

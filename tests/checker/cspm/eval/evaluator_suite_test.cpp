@@ -1,4 +1,5 @@
-// The evaluator on the published scripts: names that begin with `test` are true; faulty scripts give an error.
+// The evaluator on the published scripts: values whose names start with `test` must be true, and faulty scripts must
+// give an error.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -17,7 +18,7 @@ std::vector<std::string> files_expected(const std::filesystem::path& suite, cons
     return result;
 }
 
-// Names to be asked for: values that begin with `prefix`, at the script's top.
+// The top-level names of the script that start with `prefix`.
 std::vector<ExprPtr> names_with(const Script& script, const std::string& prefix) {
     std::vector<ExprPtr> result;
     for (const DeclPtr& decl : script.decls) {
@@ -30,7 +31,7 @@ std::vector<ExprPtr> names_with(const Script& script, const std::string& prefix)
     return result;
 }
 
-// The states of a process, up to a bound: every prefix and call in them is evaluated.
+// Explores the states of a process up to a bound, which evaluates every prefix and call in them.
 void explore(Session& session, const ExprPtr& process) {
     refine::Limits limits;
     limits.max_states = 20000;
@@ -42,7 +43,7 @@ std::string describe(const EvaluationError& error, const diagnostics::SourceMana
     return sources.place(error.span) + ": " + error.what();
 }
 
-// What is not supported yet, and says so.
+// Scripts with constructs that are not supported yet; the error says so.
 const std::set<std::string> not_yet{
     "evaluator/should_pass/deter_test.csp",        // deter
     "evaluator/should_pass/failure_watchdog.csp",  // failure_watchdog

@@ -1,5 +1,5 @@
-// Graphs written as CSPM read back equal: random processes over all operators, explored, written, read and explored
-// again, refine each other in failures and divergences; both directions.
+// Graphs that are printed as CSPM parse to equal graphs. Random processes over all operators are explored, printed,
+// parsed and explored again; both refine each other in failures and divergences.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -18,7 +18,7 @@ lts::Graph explored(lts::TransitionSystem& system) {
     return lts::explore(system, [](std::size_t) {}).graph;
 }
 
-/// The same graph with its events numbered by another table.
+/// The same graph with the event numbers of another table.
 lts::Graph renumbered(const lts::Graph& graph, const process::EventTable& from, process::EventTable& to) {
     lts::Graph result;
     for (lts::StateIndex state = 0; state < graph.size(); ++state) {

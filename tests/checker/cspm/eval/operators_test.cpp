@@ -1,4 +1,4 @@
-// The operators that scripts use rarely, on small scripts; the argument for each verdict stands beside it.
+// Operators that scripts rarely use, on small scripts; comments give the argument for each verdict.
 #include "tests/checker/cspm/outcomes.hpp"
 
 namespace robochart::cspm::test {
@@ -48,7 +48,7 @@ assert B :[has trace [T]]: <in.0, in.1, in.0>
     const std::string channels = "channel a, b\n";
     EXPECT_EQ(process_failure(channels + "X = BUFFER(0, {(a, b)})\n"), "a buffer's capacity is at least 1, not 0");
     EXPECT_EQ(process_failure(channels + "X = BUFFER(1, {(a, a)})\n"), "the event a is given to a buffer twice");
-    // What these do when full or empty is not written down where we could find it.
+    // We found no definition of these buffers' behaviour when they are full or empty.
     EXPECT_EQ(process_failure(channels + "channel c\nX = WEAK_BUFFER(1, c, {(a, b)})\n"),
               "'WEAK_BUFFER' is not supported");
 }
@@ -56,12 +56,12 @@ assert B :[has trace [T]]: <in.0, in.1, in.0>
 TEST(OperatorsTest, ClosuresOfRelations) {
     const std::string use = "let external mtransclose within ";
     EXPECT_EQ(value(use + "mtransclose({(1,2), (3,2), (4,5)}, {1..5})"), "{(1, 2), (1, 3), (4, 5)}");
-    // Not reflexive; members outside the set are left out, and lead on.
+    // The closure is not reflexive. Elements outside the set are removed, but paths may lead through them.
     EXPECT_EQ(value(use + "mtransclose({(1,2), (2,3)}, {1, 3, 9})"), "{(1, 3)}");
     EXPECT_EQ(value(use + "mtransclose({}, {1})"), "{}");
 }
 
-// P |\ A hides all but A; loop(P) is P;loop(P).
+// P |\ A hides all events except A; loop(P) is P;loop(P).
 TEST(OperatorsTest, ProjectAndLoop) {
     expect_outcomes(R"(external loop
 channel a, b, c
@@ -74,7 +74,7 @@ assert loop(SKIP) :[divergence free]
                     "hhff");
 }
 
-// FDR manual, tau priority: on both sides the events of the set wait for tau and tick.
+// FDR manual, tau priority: on both sides, the events of the set wait for tau and tick.
 TEST(OperatorsTest, TauPriority) {
     expect_outcomes(R"(channel tock
 P = tock -> P
@@ -95,7 +95,8 @@ assert Q :[deadlock free [F]] :[tau priority]: {tock}
                     "fhhfhffh");
 }
 
-// In T a trace; in F and FD only where the models can add nothing: the manual does not say what they ask.
+// In T, `has trace` means that a trace exists. F and FD are decided only if all readings agree, because the manual does
+// not define them.
 TEST(OperatorsTest, HasTraceInEachModel) {
     expect_outcomes(R"(channel a, b
 P = a -> b -> STOP
@@ -138,7 +139,7 @@ TEST(OperatorsTest, ModelsWithoutASupportAreRefusedByName) {
     }
 }
 
-// What FDR's users try: each fault has a place, which process_failure asks for.
+// Mistakes that users of FDR make: each error has a place, which process_failure checks.
 TEST(OperatorsTest, FaultsOfProcessesHaveAPlace) {
     EXPECT_EQ(process_failure("channel c : Int\nX = c?x -> X\n"), "the set Int is infinite");
     EXPECT_EQ(process_failure("channel c : Int\nX = c$x -> X\n"), "the set Int is infinite");
@@ -174,7 +175,7 @@ TEST(OperatorsTest, InfiniteSequences) {
               "error: none of 200000 elements makes another one of the sequence");
 }
 
-// As FDR has it (libcspm: in the renamer and in the desugarer).
+// As in FDR (libcspm: in the renamer and in the desugarer).
 TEST(OperatorsTest, WhereNondeterministicInputMayStand) {
     const std::string channels = "channel c : {0, 1}.{0, 1}\nchannel tock\n";
     EXPECT_EQ(process_failure(channels + "X = c?x$y -> STOP\n"), "a $ field stands before all ? and ! fields");
@@ -187,7 +188,7 @@ assert P [FD= |~| x : {0, 1} @ ([] y : {0, 1} @ c.x.y -> STOP)
                     "hh");
 }
 
-// `[] e : S @ e -> P` offers the events of S; P may look at the event, and two events may be one.
+// `[] e : S @ e -> P` offers the events of S. P may depend on the event, and two elements of S may be the same event.
 TEST(OperatorsTest, ChoiceOverASetOfEvents) {
     expect_outcomes(R"(channel a : {0, 1}
 channel b, c

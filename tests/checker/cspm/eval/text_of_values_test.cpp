@@ -1,5 +1,5 @@
-// Where the text of a value is data: what `show` gives, and the names of events. Expected values are by reasoning:
-// equal values have equal texts, different values different ones, and what has no value has no text.
+// Texts of values that are data: results of `show`, and names of events. The expected texts follow from reasoning:
+// equal values have equal texts, different values have different texts, and an expression without a value has no text.
 #include "tests/checker/cspm/outcomes.hpp"
 
 namespace robochart::cspm::test {
@@ -32,7 +32,7 @@ TEST(TextOfValues, WhatHasNoneIsRefused) {
     EXPECT_EQ(value("show(<0..>)"), "error: 'show' of an infinite sequence: <0..>");
 }
 
-// A comprehension that is worked out element by element is the sequence that it makes.
+// A comprehension that is evaluated element by element equals the sequence that it produces.
 TEST(TextOfValues, ComprehensionsAreTheirSequences) {
     const std::string slow = "<v | v <- <7, 0>, v == 7 or 0 / v == 0>";  // the second element has no value
     EXPECT_EQ(value("head(" + slow + ")"), "7");
@@ -43,7 +43,7 @@ TEST(TextOfValues, ComprehensionsAreTheirSequences) {
     EXPECT_EQ(value("{" + late + "} == {<2, 1>}"), "true");
 }
 
-// Two events whose texts agree in the first thousand characters are two events.
+// Two events whose texts agree in the first thousand characters are still different.
 TEST(TextOfValues, EventsWithLongFieldsAreApart) {
     expect_outcomes(R"(long = <0..400>
 channel c : {long ^ <1>, long ^ <2>}

@@ -1,4 +1,5 @@
-// Calls that differ in arguments that nothing reads are one state; wherever an argument is read they are not.
+// Calls that differ only in arguments that are never read are one state; calls that differ in an argument that is read
+// are different states.
 #include <gtest/gtest.h>
 
 #include "checker/cspm/session.hpp"
@@ -9,14 +10,14 @@
 namespace robochart::cspm::test {
 namespace {
 
-/// The states that P reaches by events, in a script over one channel.
+/// The number of states that P reaches by events, in a script over one channel.
 std::size_t states_of_p(const std::string& definitions) {
     const Reading reading("channel c : {0..3}\n" + definitions + "\n");
     EXPECT_TRUE(reading.ok()) << reading.report();
     Session session(reading.script);
     const auto system = session.system(build::name("P"));
     return lts::explore(*system, [](std::size_t) {}).graph.size() -
-           1;  // P itself, under its own name, is reached by none
+           1;  // no event leads back to the initial state, which is the name P
 }
 
 TEST(UnreadParametersTest, AreNoPartOfAState) {

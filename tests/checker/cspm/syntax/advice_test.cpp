@@ -1,4 +1,4 @@
-// What is said about mistakes that people make in scripts: the note beside the finding.
+// Advice on common mistakes in scripts: the note that accompanies the finding.
 #include "checker/cspm/syntax/advice.hpp"
 
 #include <gmock/gmock.h>

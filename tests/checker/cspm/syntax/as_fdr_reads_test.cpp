@@ -1,4 +1,4 @@
-// Texts that FDR's front end reads or refuses where one could think otherwise (libcspm: Lexer.x, Parser.ppy).
+// Texts that FDR's front end unexpectedly accepts or rejects (libcspm: Lexer.x, Parser.ppy).
 #include <gtest/gtest.h>
 
 #include "checker/cspm/types/type_check.hpp"
@@ -19,7 +19,7 @@ std::string codes(const std::string& text) {
     return result;
 }
 
-// `]:` ends a property as `]` does, whatever follows.
+// `]:` ends a property like `]`, whatever follows.
 TEST(AsFdrReads, AColonBehindAnyProperty) {
     const Reading reading(
         "channel a\nP = a -> P\n"
@@ -48,7 +48,7 @@ TEST(AsFdrReads, NothingIsAskedInModules) {
     EXPECT_EQ(codes("channel tock\nTimed(\\ _ @ 1) {\n print 1\n}\n"), "CSPM-P09@3");
 }
 
-// Also where the text comes from another file, which has no module around it.
+// The rule also applies to text from an included file, which has no module around it.
 TEST(AsFdrReads, NothingIsAskedInFilesThatModulesInclude) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics found;
@@ -65,7 +65,7 @@ TEST(AsFdrReads, NothingIsAskedInFilesThatModulesInclude) {
     EXPECT_EQ(places, "CSPM-P09 inner.csp:2\nCSPM-P09 inner.csp:4\n");
 }
 
-// What stands above `exports` is private to its module, also where that module is exported itself.
+// Declarations above `exports` are private to their module, also if the module itself is exported.
 TEST(AsFdrReads, PrivateNamesStayPrivate) {
     const std::string text =
         "module Outer(n)\n k = n\nexports\n module Inner(m)\n  secret = m\n exports\n  shown = secret + k\n endmodule\n"
@@ -78,7 +78,7 @@ TEST(AsFdrReads, PrivateNamesStayPrivate) {
     EXPECT_EQ(codes(plain + "x = Outer::Inner::secret\n"), "CSPM-T01@9");
 }
 
-// One mistake, one finding, at the line where it is.
+// One mistake causes one finding, at its line.
 TEST(AsFdrReads, OneFindingForOneMistake) {
     EXPECT_EQ(codes("channel z : {-3..3}\nchannel y : Int\n"), "CSPM-P03@1");
     EXPECT_EQ(codes("channel a\n\n{- no end\nP = STOP\n"), "CSPM-P03@3");
@@ -90,7 +90,7 @@ TEST(AsFdrReads, OneFindingForOneMistake) {
     EXPECT_EQ(codes("Q(x) = if x > 2 then STOP\n\n"), "CSPM-P01@1");
 }
 
-// Editors on Windows put it there.
+// Editors on Windows insert a byte order mark.
 TEST(AsFdrReads, AByteOrderMarkIsNoPartOfTheText) {
     EXPECT_EQ(codes("\xEF\xBB\xBF"
                     "channel a\nP = a -> STOP\n"),

@@ -1,4 +1,5 @@
-// Fingerprints agree with equality: what is written differently and means the same tree has the same, each part counts.
+// Fingerprints agree with equality: different spellings of the same tree have equal fingerprints, and every part of the
+// tree affects the fingerprint.
 #include "checker/cspm/syntax/fingerprint.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ std::uint64_t hash_of(const std::string& declaration) {
     return Fingerprints().of_exports(reading.script.decls.at(0)).hash;
 }
 
-// syntax.cpp: parentheses and comments do not count.
+// syntax.cpp: parentheses and comments are ignored.
 TEST(Fingerprints, OfEqualTreesAreEqual) {
     EXPECT_EQ(hash_of("P(x) = c!x -> (STOP)"), hash_of("-- said\nP(x) =\n    c!x -> STOP"));
     EXPECT_EQ(hash_of("x = 1 + (2 * 3)"), hash_of("x = 1 + 2 * 3"));

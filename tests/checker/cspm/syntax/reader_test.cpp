@@ -1,4 +1,4 @@
-// Precedence, layout and bounds of the reader. Expected trees come from FDR's grammar (levels.hpp).
+// Precedence, layout and limits of the parser. Expected trees come from FDR's grammar (levels.hpp).
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -174,7 +174,7 @@ TEST(ReaderTest, IncludesAreReadOnceAPlaceAndCyclesRefused) {
     std::filesystem::remove_all(folder);
 }
 
-/// The texts come from the caller, so nothing is on disk. Files number 0, 1, …, each including the next ones.
+/// The caller provides the texts, so no file is on disk. Files are numbered 0, 1, …, and each includes the next ones.
 std::string code_of_chain(std::size_t files, std::size_t times) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics found;

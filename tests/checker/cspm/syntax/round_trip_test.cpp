@@ -10,7 +10,7 @@ namespace {
 
 using namespace build;
 
-// Draws trees; the size bounds their height.
+// Generates random trees; the size bounds their height.
 class Trees {
 public:
     ExprPtr expr(int size) {

@@ -1,5 +1,5 @@
-// Scripts that FDR's front end accepts or rejects, and RoboTool's own scripts: accepted ones read, print and
-// read back equal.
+// Scripts that FDR's front end accepts or rejects, and RoboTool's own scripts. Accepted scripts must parse, print, and
+// parse to the same tree.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ TEST(SuiteReaderTest, FrontEndVerdictsOfThePublishedScripts) {
     const auto folder = shared / "suite" / "cspm";
     int seen = 0;
     for (const auto& [phase, expectation, file] : published_scripts(folder)) {
-        // Scripts meant for later phases must read as well; only the parser's rejections are ours to give.
+        // Scripts meant for later phases must parse too; only rejections by the parser are expected here.
         if (phase != "parser" && expectation == "reject") continue;
         ++seen;
         diagnostics::SourceManager sources;

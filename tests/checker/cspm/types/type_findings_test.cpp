@@ -1,4 +1,5 @@
-// Scripts that are wrong, with the finding and its line; a right neighbour stands beside most. Bad input of size.
+// Ill-typed scripts, with the finding and its line, most of them next to a similar well-typed script; and large
+// malicious inputs.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -38,7 +39,7 @@ TEST_P(Finding, IsTheOnlyOne) {
     EXPECT_EQ(findings(reading), GetParam().at) << GetParam().script << "\n" << reading.report();
 }
 
-// The clauses of one function stand in one file: those of an included one define the name again.
+// All clauses of a function must be in one file: clauses in an included file define the name again.
 TEST(Findings, ClausesDoNotJoinAcrossAnInclude) {
     const auto folder = std::filesystem::temp_directory_path() / ("robochart-include-" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
@@ -75,12 +76,12 @@ INSTANTIATE_TEST_SUITE_P(
                       Wrong{"CSPM-T23@3", "channel tock, a, b\nTimed(\\_ @ 1) {\n P = STOP [a <-> b] STOP\n}"},
                       Wrong{"CSPM-T23@3", "channel tock, a, b\nTimed(\\_ @ 1) {\n P = [a <-> b] i : <> @ STOP\n}"},
                       Wrong{"", "channel tock, a, b\nTimed(\\_ @ 1) {\n P = STOP\n}\nQ = P [a <-> b] P"},
-                      // A variable splits no event, wherever it stands.
+                      // A variable cannot split an event, in any position.
                       Wrong{"CSPM-T08@2", "channel c : {0..1}\nv = let d.x = head(seq({| c |})) within x"},
                       Wrong{"CSPM-T08@2", "channel c : {0..1}\nd.x = c.0"},
                       Wrong{"", "channel c : {0..1}\nv = let c.x = c.0 within x"}, Wrong{"", "a.b = 1.2"}));
 
-// A name with :: is one name: neither variables nor other modules of its first part hide it.
+// A name with :: is one name: a variable, or another module named like its first part, does not hide it.
 INSTANTIATE_TEST_SUITE_P(
     QualifiedNames, Finding,
     ::testing::Values(
@@ -95,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
               "endmodule\nexports\n w = M::k\nendmodule"},
         Wrong{"CSPM-T01@5", "module M(n)\nexports\n k = n\nendmodule\nf(M) = M::k"}));
 
-// The variables of an annotation meet dots in the body.
+// Variables of an annotation combined with dots in the body.
 INSTANTIATE_TEST_SUITE_P(AnnotatedDots, Finding,
                          ::testing::Values(Wrong{"", "f :: (b => a, c => b, c) -> a\nf(x, y, z) = x.y.z"},
                                            Wrong{"", "f :: (b => a, b) -> <a>\nf(x, y) = <x.y>"},
@@ -180,7 +181,7 @@ INSTANTIATE_TEST_SUITE_P(Print, Finding,
                          ::testing::Values(Wrong{"CSPM-T21@1", "print 1 + true"}, Wrong{"CSPM-T21@1", "print nowhere"},
                                            Wrong{"", "print 1 + 2"}));
 
-// A warning does not make a script wrong.
+// A script with a warning is still accepted.
 TEST(TypeFindings, PrintIsAWarning) {
     Reading reading("print 1 + true\n");
     check_types(reading.script, reading.diagnostics);
@@ -205,7 +206,7 @@ TEST(TypeFindings, SuggestNearNames) {
     EXPECT_NE(reading.report().find("did you mean 'Process'?"), std::string::npos) << reading.report();
 }
 
-// x1 = (x0, x0), x2 = (x1, x1), ...: types double with every line.
+// x1 = (x0, x0), x2 = (x1, x1), ...: the size of the types doubles with every line.
 TEST(TypeFindings, EnormousTypesAreRefused) {
     std::string script = "x0 = 1\n";
     for (int i = 1; i <= 60; ++i) {
@@ -225,7 +226,7 @@ TEST(TypeFindings, EnormousTypesAreRefused) {
     EXPECT_EQ(large.code(), "CSPM-T20");
 }
 
-// Sequences of sequences of ...: no trouble until two such types must be compared level by level.
+// Sequences of sequences of ...: accepted until two such types must be compared level by level.
 TEST(TypeFindings, DeepTypesAreRefused) {
     std::string script = "x0 = 1\ny0 = 1\n";
     for (int i = 1; i <= 20'000; ++i) {
@@ -255,7 +256,7 @@ TEST(TypeFindings, ExpressionsTooDeepForAnyStackAreRefused) {
     check_types(script, found);
     ASSERT_FALSE(found.ok());
     EXPECT_EQ(found.sorted().front().rule->code, "CSPM-T20");
-    // Trees of this height cannot be taken down by recursion either.
+    // Trees of this height cannot be destroyed recursively either.
     script.decls.clear();
     while (expr->args.size() == 1) expr = ExprPtr(expr->args[0]);
 }

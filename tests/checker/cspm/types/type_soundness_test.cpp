@@ -1,5 +1,6 @@
-// Soundness: what passes the type checker evaluates without an error of types. Random scripts come in two kinds:
-// built by type, which must pass; and the same with parts of any type put in, which need not, but if they do...
+// Soundness: a script that passes the type checker evaluates without a type error. Random scripts come in two kinds:
+// well-typed scripts, which must pass; and scripts with parts of random types inserted, which must evaluate without a
+// type error if they pass.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -39,7 +40,7 @@ enum class Type { integer, boolean, tree, data, inner, event, pair, sequence, se
 constexpr std::array all_types{Type::integer, Type::boolean,  Type::tree, Type::data,   Type::inner,    Type::event,
                                Type::pair,    Type::sequence, Type::set,  Type::events, Type::function, Type::process};
 
-// Writes expressions of a wanted type: pairs are (Int, Bool), sequences and sets of Int, functions (Int) -> Int.
+// Generates expressions of a given type: pairs are (Int, Bool), sequences and sets of Int, functions (Int) -> Int.
 class Terms {
 public:
     Terms(unsigned seed, bool mixed) : random_(seed), mixed_(mixed) {}
@@ -166,7 +167,8 @@ std::string script_for(Type type, unsigned seed, bool mixed) {
     return std::string(declarations) + "x = 0\ny = true\nv = " + terms.of(type, 4) + "\n";
 }
 
-// Errors that types should have shown; others (an infinite set, the head of an empty sequence) depend on values.
+// Errors that the type checker should have found. Other errors (an infinite set, the head of an empty sequence) depend
+// on values.
 bool about_types(const std::string& message) {
     for (const char* start : {"expected ", "cannot compare", "values like", "productions of"}) {
         if (message.starts_with(start)) return true;
@@ -174,7 +176,7 @@ bool about_types(const std::string& message) {
     return message.find(" arguments") != std::string::npos || message.find("no clause of") != std::string::npos;
 }
 
-// What goes wrong in evaluating `v`, processes explored a little; "" if nothing.
+// The error from evaluating `v`, with a short exploration of processes; "" if there is none.
 std::string fault_of(const Script& script, Type type) {
     try {
         Session session(script);
@@ -216,7 +218,7 @@ TEST(TypeSoundness, WhatIsAcceptedHasNoErrorOfTypes) {
         const std::string fault = fault_of(reading.script, process ? Type::process : Type::integer);
         EXPECT_FALSE(about_types(fault)) << "seed " << seed << script_for(type, seed, true) << fault;
     }
-    // Neither all nor none: the property means something.
+    // Some scripts pass and some do not, so the property is not vacuous.
     EXPECT_GT(accepted, 400U);
     EXPECT_LT(accepted, 3'600U);
 }

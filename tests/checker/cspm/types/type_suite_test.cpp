@@ -1,5 +1,5 @@
-// Types of published scripts: those FDR's front end accepts are accepted, those it rejects are rejected; RoboTool's
-// own scripts are all accepted, the largest in about a second.
+// Types of published scripts: those that FDR's front end accepts are accepted, and those that it rejects are rejected.
+// RoboTool's own scripts are all accepted, the largest in about a second.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct Checked {
     [[nodiscard]] std::string report() const { return diagnostics::render_text(sources, diagnostics); }
 };
 
-// Scripts of the printer's phase that were never meant to be checked for types: FDR's front end rejects them too.
+// Scripts of the printer's phase that were never meant to type check: FDR's front end rejects them too.
 bool only_printed(const std::string& file) {
     return file.ends_with("should_pass/complete.csp") || file == "prettyprinter/should_pass/timed_sections.csp";
 }
@@ -32,11 +32,11 @@ TEST(TypeSuiteTest, PublishedScriptsAreTypedAsFdrTypesThem) {
     const auto folder = shared / "suite" / "cspm";
     int seen = 0;
     for (const auto& [phase, expectation, file] : published_scripts(folder)) {
-        // Scripts of the parser's phase may be wrong later; those of later phases are right until then.
+        // Scripts of the parser's phase may fail in later phases. Scripts of later phases must pass the earlier ones.
         if (phase == "parser" || only_printed(file)) continue;
         ++seen;
         const Checked checked(folder / file);
-        // What FDR finds after typing, while it simplifies, is found with the types here.
+        // Our type checker reports errors that FDR finds after typing, in its desugarer.
         const bool ours = phase == "typechecker" || phase == "desugar";
         const bool accepted = !ours || expectation == "accept";
         EXPECT_EQ(checked.diagnostics.ok(), accepted) << file << "\n" << checked.report();
@@ -47,7 +47,7 @@ TEST(TypeSuiteTest, PublishedScriptsAreTypedAsFdrTypesThem) {
 void expect_all_typed(const std::filesystem::path& folder) {
     int seen = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        // instantiations.csp is a part that the others include.
+        // instantiations.csp is a fragment that the other files include.
         if (entry.path().extension() != ".csp" || entry.path().filename() == "instantiations.csp") continue;
         ++seen;
         const Checked checked(entry.path());

@@ -1,4 +1,4 @@
-// Types of names (FDR manual, chapter CSPM, "Type system"): what is inferred, in FDR's notation.
+// Types of names (FDR manual, chapter CSPM, "Type system"): the inferred types, in FDR's notation.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -15,7 +15,7 @@ struct Typed {
     const char* type;    ///< of the name `v`
 };
 
-// What all scripts of this file may use.
+// Declarations that all scripts of this file may use.
 constexpr const char* common = R"(
 datatype T = Leaf | Node.T.Int.T
 datatype D = A.{0..2}.Bool | B
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
               "instance J = I::N(true)\nv = J::y",
               "(Int, Bool)"}));
 
-// A script's top generalises; a let does so for annotated names only (FDR's rule).
+// Top-level definitions are generalised; in a let only annotated names are (FDR's rule).
 TEST(TypeCheck, LetsGeneraliseAnnotatedNamesOnly) {
     Reading bare("f(y) = let id(x) = x within (id(1), id(true))\n");
     check_types(bare.script, bare.diagnostics);
@@ -133,7 +133,7 @@ TEST(TypeCheck, OneFaultOneFinding) {
 }
 
 TEST(TypeCheck, NamesOfAScriptCanMeanDifferentThings) {
-    // FDR lets a script hide built-in names.
+    // FDR allows a script to hide built-in names.
     Reading reading("union(x) = x\nInt = 3\nv = union(Int) + 1\n");
     check_types(reading.script, reading.diagnostics);
     EXPECT_TRUE(reading.ok()) << reading.report();

@@ -1,4 +1,4 @@
-// End components and bottom components, against their definitions.
+// End components and bottom components compared with their definitions.
 #include "checker/markov/graph/graph.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ bool has(const States& states, State state) {
     return std::ranges::binary_search(states, state);
 }
 
-/// Choices of these states, by their numbers in the model, that stay among them.
+/// The choices of these states, by their numbers in the model, that stay within the set.
 std::vector<std::uint32_t> staying(const Description& description, const States& states) {
     std::vector<std::uint32_t> found;
     std::uint32_t number = 0;
@@ -31,7 +31,7 @@ std::vector<std::uint32_t> staying(const Description& description, const States&
     return found;
 }
 
-/// Each state leads to each other over choices that stay, and has one.
+/// Every state has a choice that stays within the set, and reaches every other state by such choices.
 bool is_end_component(const Description& description, const States& states) {
     naive::Matrix edges(description.states.size(), std::vector<Rational>(description.states.size(), 0));
     std::vector<bool> moves(description.states.size(), false);

@@ -1,4 +1,4 @@
-// Which probabilities are 0 and 1, against the values themselves; CTL, against its fixed points.
+// Probabilities 0 and 1 compared with computed values; CTL compared with its fixed points.
 #include "checker/markov/graph/qualitative.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ bool successors(const Description& description, State state, const StateSet& set
     return all;
 }
 
-/// From none or all states, applied as often as there are states.
+/// The fixed point from the empty or full set, by as many applications as there are states.
 template <class Step>
 StateSet fixed_point(const Description& description, bool greatest, Step step) {
     StateSet set(description.states.size(), greatest);

@@ -1,4 +1,4 @@
-// Small models as tests write and change them.
+// Small models in a form that tests can write and change.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@ namespace robochart::markov {
 
 struct Branch {
     State target;
-    Rational weight;  ///< its share of the weights of the choice is the probability
+    Rational weight;  ///< the probability is its share of the weights of the choice
 };
 
 struct Choice {
-    std::vector<Branch> branches;  ///< targets in any order, each once
+    std::vector<Branch> branches;  ///< targets in any order, without duplicates
     Rational reward = 0;
 };
 
@@ -26,16 +26,16 @@ struct Description {
     StateSet right;
 };
 
-/// left and right are empty sets.
+/// The sets left and right are empty.
 [[nodiscard]] Description dtmc(const std::vector<std::vector<Branch>>& rows);
 [[nodiscard]] Description mdp(std::vector<std::vector<Choice>> states);
 
 [[nodiscard]] StateSet set_of(std::size_t states, const std::vector<State>& members);
 
-/// Neighbouring doubles that enclose it, or twice the double that it is.
+/// Encloses a value in adjacent doubles, or in twice the same double if the value is one.
 [[nodiscard]] Number enclosing(const Rational& value);
 
-/// With exact numbers.
+/// A model with exact numbers.
 [[nodiscard]] Model model_of(const Description& description);
 [[nodiscard]] Rewards rewards_of(const Description& description);
 

@@ -5,7 +5,7 @@
 namespace robochart::markov::naive {
 namespace {
 
-/// Solves A x = b, A regular, by elimination with rows exchanged.
+/// Solves A x = b for a regular A, by Gaussian elimination with row exchange.
 std::vector<Rational> solved(Matrix a, std::vector<Rational> b) {
     const std::size_t size = b.size();
     for (std::size_t column = 0; column < size; ++column) {
@@ -24,7 +24,7 @@ std::vector<Rational> solved(Matrix a, std::vector<Rational> b) {
     return b;
 }
 
-/// x = earned + P x over the unknown states, the others given.
+/// x = earned + P x for the unknown states; the other values are given.
 std::vector<Rational> expectations(const Matrix& matrix, const std::vector<Rational>& earned, const StateSet& unknown,
                                    std::vector<Rational> values) {
     std::vector<State> states;
@@ -244,7 +244,7 @@ Values long_run_reward(const Description& description) {
             if (reaches[state][to]) component.push_back(to);
         }
         if (transient[state]) continue;
-        // The stationary distribution: P's transpose, with one equation replaced by the sum 1.
+        // The stationary distribution: the transpose of P, with one equation replaced by the sum 1.
         Matrix a(component.size(), std::vector<Rational>(component.size()));
         std::vector<Rational> b(component.size(), 0);
         for (std::size_t row = 0; row < component.size(); ++row)

@@ -1,5 +1,5 @@
-// What holds of small models, by definition: dense rational equations for each of all memoryless schedulers. Shares
-// nothing with the code that it tests but the numbers.
+// Properties of small models by definition: dense rational equations for every memoryless scheduler. Shares only the
+// number type with the code under test.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace robochart::markov::naive {
 
-/// Of each state; nothing: infinite.
+/// The value of each state; nullopt: infinite.
 using Values = std::vector<std::optional<Rational>>;
 using Matrix = std::vector<std::vector<Rational>>;
 /// The number of the choice that each state takes.
@@ -25,13 +25,13 @@ using Scheduler = std::vector<std::size_t>;
 
 [[nodiscard]] Values until(const Description& description, const Scheduler& scheduler);
 [[nodiscard]] Values until(const Description& description, Direction direction);
-/// Before `right` is reached.
+/// The expected reward before `right` is reached.
 [[nodiscard]] Values reachability_reward(const Description& description, const Scheduler& scheduler);
 [[nodiscard]] Values reachability_reward(const Description& description, Direction direction);
 [[nodiscard]] Values total_reward(const Description& description, const Scheduler& scheduler);
 [[nodiscard]] Values total_reward(const Description& description, Direction direction);
 
-/// By the definition along the steps; without `to`, `after` says what holds from step `from` on.
+/// Computed step by step from the definition; without `to`, `after` contains the values from step `from` on.
 [[nodiscard]] Rational bounded_until(const Description& description, State state, std::uint64_t from, std::uint64_t to,
                                      Direction direction);
 [[nodiscard]] Rational cumulative_reward(const Description& description, State state, std::uint64_t steps,
@@ -39,10 +39,10 @@ using Scheduler = std::vector<std::size_t>;
 [[nodiscard]] Rational instantaneous_reward(const Description& description, State state, std::uint64_t steps,
                                             Direction direction);
 
-/// Of a dtmc: the average of the rewards of a step.
+/// For a dtmc: the long-run average reward per step.
 [[nodiscard]] Values long_run_reward(const Description& description);
 
-/// Which states each state leads to, in 0 steps or more, under a scheduler.
+/// The states that each state reaches in 0 or more steps under a scheduler.
 [[nodiscard]] std::vector<std::vector<bool>> reachability(const Matrix& matrix);
 [[nodiscard]] Matrix matrix(const Description& description, const Scheduler& scheduler);
 

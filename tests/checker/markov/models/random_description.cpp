@@ -5,12 +5,12 @@
 namespace robochart::markov {
 namespace {
 
-/// The remainder is the same with every library.
+/// Uses the remainder, which is the same for every standard library.
 std::size_t below(std::mt19937_64& numbers, std::size_t bound) {
     return static_cast<std::size_t>(numbers() % bound);
 }
 
-/// Now and then a rare event, and one that is no double.
+/// Some weights are rare events, and some are not representable as doubles.
 Rational random_weight(std::mt19937_64& numbers) {
     switch (below(numbers, 12)) {
         case 0:
@@ -39,7 +39,7 @@ Choice random_choice(std::mt19937_64& numbers, std::size_t states, const RandomS
     return choice;
 }
 
-/// Each change that makes it smaller, one after the other.
+/// All models that are one change smaller.
 std::vector<Description> smaller(const Description& description) {
     std::vector<Description> found;
     const auto changed = [&](const auto& change) {

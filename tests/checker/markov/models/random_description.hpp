@@ -1,4 +1,4 @@
-// Random small models, and smaller ones where a test fails.
+// Random small models, and shrinking of models for which a test fails.
 #pragma once
 
 #include <functional>
@@ -19,10 +19,10 @@ struct RandomSizes {
 
 [[nodiscard]] Description random_description(std::mt19937_64& numbers, Kind kind, const RandomSizes& sizes = {});
 
-/// Why a description is wrong; nothing where it is not.
+/// Returns the reason why a model fails the test; nullopt if it passes.
 using Fault = std::function<std::optional<std::string>(const Description&)>;
 
-/// A smaller description with a fault, and the fault, as text; of one that has a fault.
+/// Shrinks a model that fails the test; returns the smallest model found and its fault, as text.
 [[nodiscard]] std::string smallest(Description description, const Fault& fault);
 
 }  // namespace robochart::markov

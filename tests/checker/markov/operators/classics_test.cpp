@@ -1,4 +1,4 @@
-// Models on which simpler methods fail, with values by reasoning.
+// Models on which simpler methods fail; the values follow by reasoning.
 #include <gtest/gtest.h>
 
 #include "checker/markov/operators/bounded.hpp"
@@ -21,8 +21,8 @@ StateSet all(const Model& model) {
 }
 
 /// After Haddad and Monmege (Interval iteration algorithm for MDPs and IMDPs, 2018): from the middle, `length` steps of
-/// probability 1/2 in one direction, each of which may lead back to the middle. By symmetry each end has 1/2.
-/// States 0 .. 2 length; the middle is `length`.
+/// probability 1/2 in one direction, each of which may lead back to the middle. By symmetry each end has probability
+/// 1/2. The states are 0 .. 2 length; the middle is `length`.
 Description slow_chain(State length) {
     std::vector<std::vector<Branch>> rows;
     for (State state = 0; state <= 2 * length; ++state) {
@@ -41,14 +41,15 @@ TEST(Classics, ASlowChainIsSolvedToTheLastDigits) {
         const Solution solution = until(model, all(model), set_of(model.states(), {2 * length}), Direction::minimum);
         expect_encloses(solution.values[length], Rational(1, 2));
         EXPECT_EQ(solution.shortfall, "");
-        // From the first step on the right: reached with 2^(1-length) at once, else 1/2 from the middle.
+        // From the first state on the right, the end is reached directly with 2^(1-length), otherwise with 1/2 from the
+        // middle.
         const Rational at_once(1, boost::multiprecision::cpp_int(1) << (length - 1));
         expect_encloses(solution.values[length + 1], at_once + (1 - at_once) / 2);
     }
 }
 
-/// The same, with a second choice in every state before an end: to stay. Who maximises never stays for ever; the loops
-/// are end components, without value.
+/// The same chain with a second choice in every state before an end: to stay. A maximising scheduler never stays
+/// forever; the loops are end components without value.
 TEST(Classics, ASlowMdpWithLoops) {
     for (const State length : {10U, 20U, 40U}) {
         Description description = slow_chain(length);
@@ -65,8 +66,8 @@ TEST(Classics, ASlowMdpWithLoops) {
     }
 }
 
-/// Two equal ways in every step, one of which takes twice as long: both are best, and only one looks so to a proof that
-/// does not know of the other.
+/// Two equally good alternatives in every step, one of which takes twice as long. Both are optimal, but a proof that
+/// does not consider the other accepts only one.
 TEST(Classics, EquallyGoodChoicesOfDifferentLength) {
     std::vector<std::vector<Choice>> states;
     constexpr State length = 30;
@@ -91,7 +92,7 @@ TEST(Classics, EquallyGoodChoicesOfDifferentLength) {
 }
 
 TEST(Classics, FreeLoopsAreNoWayToSave) {
-    // 0 and 1 lead to each other for nothing; from 0 one may go to 2, for 5.
+    // 0 and 1 lead to each other without cost; 0 may also go to 2, at cost 5.
     const Description description = mdp({{{{{1, 1}}}, {{{2, 1}}, 5}}, {{{{0, 1}}}}, {{{{2, 1}}}}});
     const Model model = model_of(description);
     const Rewards rewards = rewards_of(description);
@@ -106,7 +107,7 @@ TEST(Classics, FreeLoopsAreNoWayToSave) {
 }
 
 TEST(Classics, ALoopIsNoWayToWin) {
-    // 0 to 1; 1 back to 0, or to 2 or 3, 1/2 each.
+    // 0 to 1; 1 back to 0, or to 2 or 3 with 1/2 each.
     const Model model = model_of(mdp({{{{{1, 1}}}}, {{{{0, 1}}}, {{{2, 1}, {3, 1}}}}, {{{{2, 1}}}}, {{{{3, 1}}}}}));
     const StateSet end = set_of(4, {2});
     EXPECT_EQ(until(model, all(model), end, Direction::maximum).values[0], (Enclosure{0.5, 0.5}));
@@ -116,7 +117,7 @@ TEST(Classics, ALoopIsNoWayToWin) {
 }
 
 TEST(Classics, LongRunsByTheirShares) {
-    // 1/4 to {1,2}, where 2 is twice as frequent; 3/4 to 3.
+    // 1/4 to {1,2}, where 2 is twice as frequent as 1; 3/4 to 3.
     Description description = dtmc({{{1, 1}, {3, 3}}, {{2, 1}}, {{1, 1}, {2, 1}}, {{3, 1}}});
     description.rewards = {0, 6, 0, 1};
     const Model model = model_of(description);
@@ -156,7 +157,7 @@ TEST(Classics, TheBudgetEndsAnyOfThem) {
                  diagnostics::LimitReached);
 }
 
-/// A million steps of one bit of memory: nothing here may be recursive, quadratic or imprecise.
+/// A million states: the algorithms must not be recursive, quadratic or imprecise.
 TEST(Classics, AMillionStates) {
     constexpr State length = 1'000'000;
     Model model;
@@ -164,7 +165,7 @@ TEST(Classics, AMillionStates) {
     model.numbers = {{0.5, 0.5}, {1, 1}};
     model.first_choice = {0};
     model.first_branch = {0};
-    for (State state = 0; state < length; ++state) {  // back one step or on one step; from the start only on
+    for (State state = 0; state < length; ++state) {  // back one step or forward one step; from the start only forward
         if (state == 0 || state + 1 == length) {
             model.target.push_back(state == 0 ? 1 : state);
             model.number.push_back(1);
@@ -177,7 +178,7 @@ TEST(Classics, AMillionStates) {
     }
     Rewards steps;
     steps.state.assign(length, {1, 1});
-    // Between reflecting start and end the walk takes (length-1)^2 steps.
+    // Between reflecting ends the walk takes (length-1)^2 steps.
     const Solution solution = reachability_reward(model, steps, set_of(length, {length - 1}), Direction::minimum);
     expect_encloses(solution.values[0], Rational(boost::multiprecision::cpp_int(length - 1) * (length - 1)), 1e-6);
     EXPECT_EQ(solution.shortfall, "");

@@ -1,5 +1,5 @@
-// All operators on random models: enclosures hold the naive solver's value and are narrow, rationals are equal to it,
-// and strategies have it.
+// All operators on random models: enclosures contain the naive solver's value and are narrow, rationals are equal to
+// it, and strategies attain it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ Faults exact_fault(const std::string& what, const ExactSolution& found, const na
     return std::nullopt;
 }
 
-/// The choices of a strategy, counted from the first of their states.
+/// The choices of a strategy, numbered from the first choice of each state.
 naive::Scheduler scheduler_of(const Description& description, const std::vector<std::uint32_t>& strategy) {
     const Model model = model_of(description);
     naive::Scheduler scheduler;
@@ -65,7 +65,7 @@ const std::string& named(Direction direction) {
     return names[direction == Direction::maximum ? 1 : 0];
 }
 
-/// The values under a strategy against the best.
+/// Compares the values under a strategy with the optimal ones.
 Faults strategy_fault(const std::string& what, const naive::Values& found, const naive::Values& expected,
                       const Rational& share) {
     for (State state = 0; state < expected.size(); ++state) {
@@ -166,7 +166,7 @@ Faults bounded_fault(const Description& description) {
             const naive::Values sums = of_each_state(description, [&](State state) {
                 return naive::cumulative_reward(description, state, steps, direction);
             });
-            // Gains and losses may nearly cancel, so there is no bound on relative widths.
+            // Gains and losses may nearly cancel, so relative widths are unbounded.
             if (const Faults fault = enclosure_fault(
                     which + "cumulative reward", cumulative_reward(model, rewards, steps, direction), sums, infinity))
                 return fault;
@@ -197,7 +197,7 @@ Faults bounded_fault(const Description& description) {
     return std::nullopt;
 }
 
-/// U>=from: as the definition says, with the unbounded until's value after those steps.
+/// U>=from: by definition, with the value of the unbounded until after those steps.
 Faults lower_bounded_fault(const Description& description) {
     const Model model = model_of(description);
     for (const Direction direction : {Direction::minimum, Direction::maximum}) {

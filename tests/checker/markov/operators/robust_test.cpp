@@ -1,5 +1,5 @@
-// Bounds of chains with uncertain probabilities: by hand, against each vertex of the bounds, and how often they hold of
-// chains that were estimated.
+// Bounds for chains with uncertain probabilities: computed by hand, compared with each vertex of the bounds, and the
+// coverage of bounds for estimated chains.
 #include "checker/markov/operators/robust.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace robochart::markov {
 namespace {
 
-/// From 0 to 1 with a chance between 0.2 and 0.4, else back to 0.
+/// From 0 to 1 with a probability between 0.2 and 0.4, otherwise back to 0.
 UncertainChain waiting() {
     return {{{{0, 0.6, 0.8}, {1, 0.2, 0.4}}, {}, 2}, {{{1, 1, 1}}, {}, 2}};
 }
@@ -26,7 +26,7 @@ TEST(Robust, ByHand) {
     ASSERT_EQ(least.size(), 4U);
     EXPECT_EQ(least[0][0], 0);
     EXPECT_EQ(least[0][1], 1);
-    // 1 - 0.8^3 and 1 - 0.6^3, and rounding is to the outside.
+    // 1 - 0.8^3 and 1 - 0.6^3, rounded outward.
     EXPECT_NEAR(least[3][0], 0.488, 1e-12);
     EXPECT_LE(least[3][0], 0.488 + 1e-16);
     EXPECT_NEAR(greatest[3][0], 0.784, 1e-12);
@@ -35,7 +35,7 @@ TEST(Robust, ByHand) {
 }
 
 /// The model of PRISM's manual (The PRISM Language, Uncertain Models): from x=0, [0.8,0.9] to itself and [0.1,0.2] to
-/// x=1. Pmin and Pmax of F<=3 x=1 are 1 - 0.9^3 and 1 - 0.8^3, Rmin and Rmax of the steps to x=1 are 1 / 0.2 and 1 /
+/// x=1. Pmin and Pmax of F<=3 x=1 are 1 - 0.9^3 and 1 - 0.8^3. Rmin and Rmax of the steps to x=1 are 1 / 0.2 and 1 /
 /// 0.1.
 TEST(Robust, TheModelOfPrismsManual) {
     const UncertainChain chain{{{{0, 0.8, 0.9}, {1, 0.1, 0.2}}, {}, 2}, {{{1, 1, 1}}, {}, 2}};
@@ -48,10 +48,10 @@ TEST(Robust, TheModelOfPrismsManual) {
     EXPECT_NEAR(longest, 10, 1e-4);
 }
 
-/// In interval Markov chains nature chooses anew whenever a state is visited (as PRISM's robust verification of them,
-/// which is that of interval MDPs): with two steps left the quick way is better, half of which is lost, with three the
-/// sure one. Every single chain reaches the goal within three steps with 0.375 + 0.125 l at most, where it takes the
-/// sure way with a chance of l: 0.5; nature with 0.5 (0.5 0.5) + 0.5.
+/// In interval Markov chains nature chooses again at every visit of a state (as in PRISM's robust verification, which
+/// uses interval MDPs). With two steps left the fast way is better, although it fails with probability one half; with
+/// three steps left the sure way is better. A single chain that takes the sure way with probability l reaches the goal
+/// within three steps with probability 0.375 + 0.125 l, at most 0.5. Nature reaches it with 0.5 (0.5 0.5) + 0.5.
 TEST(Robust, NatureChoosesAnewInEachStep) {
     constexpr State quick = 1, sure = 2, surer = 3, there = 4, lost = 5;
     const UncertainChain chain{
@@ -68,11 +68,12 @@ TEST(Robust, NatureChoosesAnewInEachStep) {
     EXPECT_NEAR(most[2][0], 0.25, 1e-12);
     EXPECT_NEAR(most[3][0], 0.625, 1e-12);
     EXPECT_NEAR(most[4][0], 0.8125, 1e-12);
-    // The least: with three steps left the quick way, with two the sure one.
+    // The minimum: the fast way with three steps left, the sure way with two.
     EXPECT_NEAR(reach_bounds(chain, goal, 3, Direction::minimum)[3][0], 0.5 * 0 + 0.5 * 0.5, 1e-12);
 }
 
-/// Three successors with values 1, 0.5 and 0 after one step each; the bounds do not bind where mass is short.
+/// Three successors with values 1, 0.5 and 0 after one step each. An upper bound does not bind if less probability mass
+/// remains.
 TEST(Robust, MassGoesWhereItCounts) {
     const UncertainChain chain{
         {{{1, 0.1, 0.5}, {2, 0.2, 0.6}, {3, 0.1, 0.9}}, {}, 2},
@@ -81,7 +82,7 @@ TEST(Robust, MassGoesWhereItCounts) {
         {{{3, 1, 1}}, {}, 2},
     };
     const StateSet goal{false, true, false, false};
-    // Most: 0.5 to the goal, 0.4 to the half, 0.1 lost. Least: 0.1, 0.2 and 0.7.
+    // Maximum: 0.5 to the goal, 0.4 to the state of value 0.5, 0.1 lost. Minimum: 0.1, 0.2 and 0.7.
     EXPECT_NEAR(reach_bounds(chain, goal, 2, Direction::maximum)[2][0], 0.5 + 0.5 * 0.4, 1e-12);
     EXPECT_NEAR(reach_bounds(chain, goal, 2, Direction::minimum)[2][0], 0.1 + 0.5 * 0.2, 1e-12);
 }
@@ -110,14 +111,14 @@ TEST(Robust, RowsThatHoldNothingAreRefused) {
 }
 
 TEST(Robust, Values) {
-    // After two steps: away with a chance from 1 - 0.8^2 to 1 - 0.6^2.
+    // After two steps the chain has left with a probability from 1 - 0.8^2 to 1 - 0.6^2.
     const std::vector<double> value{-1, 10};
     EXPECT_NEAR(value_bounds(waiting(), value, 2, Direction::minimum)[2][0], 10 * 0.36 - 0.64, 1e-12);
     EXPECT_NEAR(value_bounds(waiting(), value, 2, Direction::maximum)[2][0], 10 * 0.64 - 0.36, 1e-12);
     EXPECT_EQ(value_bounds(waiting(), value, 2, Direction::maximum)[0][0], -1);
 }
 
-/// A geometric time with a chance from 0.2 to 0.4: from 2.5 to 5 steps in the mean.
+/// A geometric time with a probability from 0.2 to 0.4: a mean from 2.5 to 5 steps.
 TEST(Robust, Costs) {
     const StateSet goal{false, true};
     const double least = cost_bounds(waiting(), goal, {2, 7}, Direction::minimum)[0];
@@ -129,7 +130,7 @@ TEST(Robust, Costs) {
     EXPECT_EQ(cost_bounds(waiting(), goal, {2, 7}, Direction::maximum)[1], 0);
 }
 
-/// A state that costs nothing in front of them, which may lead to the goal at once.
+/// An initial state without cost, which may lead directly to the goal.
 TEST(Robust, CostsBehindAStart) {
     const UncertainChain chain{
         {{{1, 0.5, 0.75}, {2, 0.25, 0.5}}, {}, 2}, {{{1, 0.6, 0.8}, {2, 0.2, 0.4}}, {}, 2}, {{{2, 1, 1}}, {}, 2}};
@@ -140,8 +141,8 @@ TEST(Robust, CostsBehindAStart) {
     EXPECT_NEAR(most, 0.75 * 5, 1e-4);
 }
 
-/// Where nature may stay for ever there is no upper bound, nor where she may lead to such a state, nor in too few
-/// rounds.
+/// There is no upper bound if nature may stay forever, or may lead to such a state, or if the number of rounds is too
+/// small.
 TEST(Robust, CostsWithoutBound) {
     const UncertainChain chain{
         {{{0, 0, 0.5}, {1, 0.5, 1}, {2, 0, 0.1}}, {}, 2}, {{{1, 1, 1}}, {}, 2}, {{{1, 0, 1}, {2, 0, 1}}, {}, 2}};
@@ -153,13 +154,14 @@ TEST(Robust, CostsWithoutBound) {
     EXPECT_EQ(most[1], 0);
     EXPECT_NEAR(cost_bounds(chain, goal, cost, Direction::minimum)[0], 1, 1e-6);
     EXPECT_TRUE(std::isinf(cost_bounds(waiting(), {false, true}, {1, 1}, Direction::maximum, 3)[0]));
-    // Not where it cannot get there.
+    // A state from which the chain cannot get there does not matter.
     UncertainChain apart = chain;
     apart[0].branches.pop_back();
     EXPECT_NEAR(cost_bounds(apart, goal, cost, Direction::maximum)[0], 2, 1e-4);
 }
 
-/// Away with a chance a from 0.2 to 0.4, back with 0.5: away for a / (a + 0.5) of the time. With a period half of it.
+/// Away with a probability a from 0.2 to 0.4, back with 0.5: the chain is away for a / (a + 0.5) of the time. With a
+/// period, half of that.
 TEST(Robust, Averages) {
     const UncertainChain chain{{{{0, 0.6, 0.8}, {1, 0.2, 0.4}}, {}, 2}, {{{0, 0.5, 0.5}, {1, 0.5, 0.5}}, {}, 2}};
     const double least = average_bound(chain, 0, {0, 1}, Direction::minimum);
@@ -176,7 +178,7 @@ TEST(Robust, Averages) {
 
 // ---------------------------------------------------------------- a swarm that can be lumped
 
-/// Robots that search and carry, each by itself: how many carry is a Markov chain.
+/// Robots that search and carry independently: the number of carrying robots is a Markov chain.
 constexpr std::size_t robots = 3;
 constexpr double finds = 0.15;
 constexpr double drops = 0.25;
@@ -201,7 +203,8 @@ statistics::StateSequence run(std::mt19937_64& random) {
     return seen;
 }
 
-/// The chance that all carry at some time up to each step, by the eight states of single robots.
+/// The probability that all robots carry at some time up to each step, computed with the eight states of the individual
+/// robots.
 std::array<double, horizon + 1> truth() {
     std::array<double, 8> now{1};
     std::array<double, horizon + 1> result{};
@@ -209,7 +212,7 @@ std::array<double, horizon + 1> truth() {
         std::array<double, 8> next{};
         for (unsigned from = 0; from < 8; ++from)
             for (unsigned to = 0; to < 8; ++to) {
-                double chance = from == 7 ? (to == 7 ? 1 : 0) : 1;  // the goal is not left
+                double chance = from == 7 ? (to == 7 ? 1 : 0) : 1;  // the goal is absorbing
                 for (unsigned robot = 0; robot < robots && from != 7; ++robot) {
                     const unsigned bit = 1U << robot;
                     const double turns = (from & bit) != 0 ? drops : finds;
@@ -232,7 +235,7 @@ UncertainChain of(const std::vector<std::vector<statistics::Interval>>& interval
     return chain;
 }
 
-/// The same by balls around the frequencies, the error divided among the states.
+/// The same with balls around the frequencies; the error is divided among the states.
 UncertainChain balls(const statistics::TransitionCounts& counts, double error) {
     UncertainChain chain;
     for (std::size_t from = 0; from < counts.states(); ++from) {
@@ -261,7 +264,8 @@ bool covers(const UncertainChain& chain) {
     return true;
 }
 
-/// A chain that the sequences are no runs of is to be found out: bounds from too few would hold of anything.
+/// The bounds of an estimated chain must contain the truth in at least 19 of 20 repetitions. They must also be narrow,
+/// because wide bounds hold for any chain.
 TEST(Robust, BoundsOfEstimatedChainsHoldInNineteenOfTwentyRepetitions) {
     constexpr int repetitions = 200;
     int intervals = 0;
@@ -284,9 +288,9 @@ TEST(Robust, BoundsOfEstimatedChainsHoldInNineteenOfTwentyRepetitions) {
     EXPECT_LT(widest, 0.5);
 }
 
-/// Swarms that in three of five trials are locked for ever where they began, and else leave with a chance of a half in
-/// each step: what follows depends on more than the state. Their chain leaves as slowly as all of them together; fresh
-/// trials leave at once or never.
+/// Swarms that with probability 0.6 are locked forever in the initial state, and otherwise leave it with probability
+/// one half in each step. Their behaviour depends on more than the state. The chain leaves as slowly as all of them on
+/// average; fresh trials leave soon or never.
 TEST(Robust, AChainOfWhatIsLockedIsRefuted) {
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> draw(0, 1);
@@ -311,7 +315,8 @@ TEST(Robust, AChainOfWhatIsLockedIsRefuted) {
     const auto refuted = [&](std::size_t step) {
         return statistics::contradicts(left[step], fresh, 0.01 / horizon, {least[step][0], greatest[step][0]});
     };
-    // One in five leaves in the first step; of all visits, most of them by locked swarms, one in twenty is the last.
+    // One swarm in five leaves in the first step. Only one visit in twenty is the last, because most visits are those
+    // of locked swarms.
     EXPECT_TRUE(refuted(1));
 }
 

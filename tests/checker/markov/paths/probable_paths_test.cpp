@@ -1,4 +1,4 @@
-// The most probable paths, against all paths by definition.
+// The most probable paths compared with all paths by definition.
 #include "checker/markov/paths/probable_paths.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace robochart::markov {
 namespace {
 
-/// The first choice of every state.
+/// The first choice of each state.
 std::vector<std::uint32_t> first_choices(const Model& model) {
     return {model.first_choice.begin(), model.first_choice.end() - 1};
 }
@@ -26,7 +26,7 @@ PathSet paths(const Description& description, std::optional<std::uint64_t> steps
         {graph, strategy, description.left, description.right, from, steps, bound, strict, 1'000'000'000, nullptr});
 }
 
-/// 0 goes to 1 with 1/2, to 2 with 1/4, or stays; 1 goes on to 2.
+/// 0 goes to 1 with 1/2, to 2 with 1/4, or stays; 1 goes to 2.
 Description small() {
     Description result = dtmc({{{0, 1}, {1, 2}, {2, 1}}, {{2, 1}}, {{2, 1}}});
     result.left = set_of(3, {0, 1});
@@ -36,7 +36,7 @@ Description small() {
 
 TEST(ProbablePaths, ComeInTheOrderOfTheirProbability) {
     const PathSet found = paths(small(), {}, 0.9);
-    // 1/2 for 0 1 2, 1/4 for 0 2, then the same behind one more 0: 1/8, 1/16; 1/2 + 1/4 + 1/8 + 1/16 is above 0.9.
+    // 1/2 for 0 1 2, 1/4 for 0 2, then the same after one more 0: 1/8, 1/16; 1/2 + 1/4 + 1/8 + 1/16 is above 0.9.
     ASSERT_EQ(found.paths.size(), 4U);
     EXPECT_TRUE(found.enough);
     EXPECT_EQ(found.paths[0].states, (std::vector<State>{0, 1, 2}));
@@ -59,7 +59,7 @@ TEST(ProbablePaths, OfAStateInTheGoalThereIsOneWithoutSteps) {
 }
 
 TEST(ProbablePaths, LoopsThatCostNothingAreNoTrap) {
-    // 0 and 1 lead to each other for sure, but for 1/1000 that ends.
+    // 0 and 1 lead to each other; with probability 1/1000 a step from 1 ends in 2.
     Description description = dtmc({{{1, 1}}, {{0, 999}, {2, 1}}, {{2, 1}}});
     description.left = set_of(3, {0, 1});
     description.right = set_of(3, {2});
@@ -68,8 +68,8 @@ TEST(ProbablePaths, LoopsThatCostNothingAreNoTrap) {
     EXPECT_EQ(found.paths.size(), 3U);
 }
 
-/// With a bound on the steps there are finitely many paths: those that count are found, each once, and together they
-/// have the probability of the definition.
+/// With a step bound there are finitely many paths. Each path that counts is found exactly once, and together they have
+/// the probability of the definition.
 TEST(ProbablePaths, AllPathsTogetherHaveTheProbability) {
     std::mt19937_64 numbers(17);
     for (int i = 0; i < 200; ++i) {
@@ -78,7 +78,7 @@ TEST(ProbablePaths, AllPathsTogetherHaveTheProbability) {
         EXPECT_FALSE(found.enough);
         const Rational exact = naive::bounded_until(description, 0, 0, 6, Direction::maximum);
         EXPECT_LE(Rational(found.total.low), exact) << text(description);
-        // Paths of less than 1e-9 are left out where a thousand million of them could not reach the bound.
+        // Paths with a probability below 1e-9 are omitted if a thousand million of them could not reach the bound.
         EXPECT_GE(Rational(found.total.high + 1e-6), exact) << text(description);
         EXPECT_LE(found.total.high - found.total.low, 1e-12);
         std::set<std::vector<State>> different;

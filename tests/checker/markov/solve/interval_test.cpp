@@ -1,4 +1,4 @@
-// Both kinds of outward rounding, against rationals.
+// Both kinds of outward rounding compared with rationals.
 #include "checker/markov/solve/interval.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,8 @@
 namespace robochart::markov {
 namespace {
 
-/// Of any size that four operations keep finite; often short, so that some results are exact.
+/// A random double of any magnitude for which four operations stay finite; often with few digits, so that some results
+/// are exact.
 double random_double(std::mt19937_64& numbers, bool negative) {
     const int exponent = static_cast<int>(numbers() % 80) - 40;
     const auto digits = static_cast<double>(numbers() % (numbers() % 2 == 0 ? 16 : std::uint64_t{1} << 53U));
@@ -33,7 +34,7 @@ Interval interval(Enclosure enclosure) {
     return {enclosure.low, enclosure.high};
 }
 
-/// The bounds are those of the exact result, rounded outward by less than two neighbours.
+/// The bounds are those of the exact result, rounded outward by less than two adjacent doubles.
 void expect_tight(const Enclosure& found, const Rational& low, const Rational& high) {
     EXPECT_LE(Rational(found.low), low);
     EXPECT_GE(Rational(found.high), high);
@@ -59,7 +60,7 @@ Hull hull(Enclosure left, Enclosure right, Operation operation) {
 
 constexpr int times = 5'000;
 
-/// The operation on intervals, computed while rounding upward.
+/// The operation on intervals, computed with upward rounding.
 template <class Operation>
 Enclosure upward(Enclosure left, Enclosure right, Operation operation) {
     const RoundUpward mode;

@@ -1,4 +1,4 @@
-// Exact solutions by lifting, and what they are made of.
+// Exact solutions by p-adic lifting, and the arithmetic that it uses.
 #include "checker/markov/solve/lifting.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST(Reconstruction, Digits) {
     EXPECT_EQ(from_digits(std::span(digits).first(4), 10), 4'321);
 }
 
-/// numerator / denominator modulo a modulus that is a prime to some power.
+/// numerator / denominator modulo a power of a prime.
 Integer quotient(const Integer& numerator, const Integer& denominator, const Integer& modulus, const Integer& prime) {
     const Integer order = modulus / prime * (prime - 1);  // Euler: every unit to this power is 1
     const Integer inverse = powm(denominator, Integer(order - 1), modulus);
@@ -70,7 +70,7 @@ TEST(Reconstruction, Fractions) {
         ASSERT_TRUE(found);
         EXPECT_EQ(Rational(found->numerator, found->denominator), Rational(numerator, denominator));
     }
-    // Fractions of 60 digits each need more than a modulus of 124: none is found rather than a wrong one.
+    // Fractions of 60 digits need a modulus of more than 124 digits: the result is "not found", not a wrong fraction.
     for (int round = 0; round < 200; ++round) {
         const Integer denominator = 1 + (numbers() >> 4U);
         const Integer numerator = numbers() >> 4U;
@@ -95,7 +95,7 @@ TEST(Reconstruction, OneDenominator) {
     }
 }
 
-/// Random equations with one choice for each unknown, and their numbers.
+/// Random equations with one choice for each unknown, and their coefficients.
 struct Chain {
     std::vector<Rational> numbers;
     System<Rational> system;
@@ -106,7 +106,8 @@ struct Chain {
     Chain& operator=(const Chain&) = delete;
 };
 
-/// Each unknown leads down with some probability and the lowest outside, so all leave. `unit` divides denominators.
+/// Each unknown leads to lower ones with positive probability, and the lowest one leads outside, so all of them leave.
+/// `unit` divides the denominators.
 void fill(std::mt19937_64& random, std::uint32_t unknowns, const Integer& unit, Chain& chain) {
     for (std::uint32_t unknown = 0; unknown < unknowns; ++unknown) {
         std::vector<Integer> weights;
@@ -137,7 +138,7 @@ void fill(std::mt19937_64& random, std::uint32_t unknowns, const Integer& unit, 
     chain.system.numbers = chain.numbers;
 }
 
-/// By Gauss and Jordan, on the whole matrix of 1 - A.
+/// Gauss-Jordan elimination on the dense matrix 1 - A.
 std::vector<Rational> dense_solution(const System<Rational>& system) {
     const std::size_t size = system.size();
     std::vector<std::vector<Rational>> matrix(size, std::vector<Rational>(size));
@@ -187,7 +188,7 @@ TEST(Lifting, TriesOtherPrimesWhereOneDividesADenominator) {
     }
 }
 
-/// x0 = c + 1/2 x0: the constant's digits come through, the prime's multiples too.
+/// x0 = c + 1/2 x0: all digits of the constant are kept, also multiples of the prime.
 TEST(Lifting, KeepsLongConstants) {
     const std::vector<Rational> numbers{Rational(1, 2)};
     System<Rational> system;

@@ -1,4 +1,4 @@
-// Bounds proved from guesses: whatever the guesses, they hold.
+// Proved bounds from guesses: the bounds are correct for any guess.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace robochart::markov {
 namespace {
 
-/// The same equations twice. Every choice leads outside, so every policy leaves.
+/// The same equations twice. Every choice leads outside with positive probability, so every policy leaves.
 struct Twins {
     std::vector<Rational> exact_numbers;
     std::vector<Interval> numbers;
@@ -37,7 +37,7 @@ std::size_t below(std::mt19937_64& numbers, std::size_t bound) {
 }
 
 void add_choice(std::mt19937_64& numbers, std::uint32_t unknowns, Twins& twins) {
-    std::vector<Rational> weights{Rational(1, below(numbers, 4) == 0 ? 1'000 : 2)};  // the first leads outside
+    std::vector<Rational> weights{Rational(1, below(numbers, 4) == 0 ? 1'000 : 2)};  // the first branch leads outside
     for (std::size_t count = 1 + below(numbers, 3); count > 0; --count) weights.emplace_back(1 + below(numbers, 5));
     Rational sum = 0;
     for (const Rational& weight : weights) sum += weight;
@@ -79,7 +79,7 @@ void expect_enclosed(const std::vector<Interval>& found, const std::vector<Ratio
     }
 }
 
-/// Nothing, or off by anything from rounding to twice its size.
+/// Keeps a guess, or changes it by anything from a rounding error to twice its size.
 void disturb(std::mt19937_64& numbers, Guesses& guesses) {
     const double size = std::ldexp(1.0, -static_cast<int>(below(numbers, 50)));
     const auto disturbed = [&](double value) {

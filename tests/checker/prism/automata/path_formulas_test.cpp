@@ -1,5 +1,5 @@
-// Path formulas with others inside. Random formulas are decided on lassos, whose one path a naive reading of the
-// semantics follows state by state; models with choices by hand.
+// Nested path formulas. Random formulas are decided on lassos, and a naive evaluation of the semantics follows their
+// only path state by state; models with choices are solved by hand.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -24,7 +24,7 @@ private:
     std::uint64_t seed_;
 };
 
-/// Some states of 0..size-1.
+/// A random subset of the states 0..size-1.
 std::string atom(Random& random, int size) {
     std::string text = "(s=" + std::to_string(random.below(size));
     while (random.below(2) == 0) text += "|s=" + std::to_string(random.below(size));
@@ -162,7 +162,7 @@ TEST(PrismPathFormulas, AgreeWithANaiveReadingOfLassos) {
         EXPECT_EQ(found.low.text(), wanted ? "1" : "0") << text << "\n" << lasso.model();
     }
     EXPECT_GT(decided, 300);
-    EXPECT_GT(open, 0);  // what is no condition of the automata is not guessed at
+    EXPECT_GT(open, 0);  // some formulas are outside the supported automata and must stay open
 }
 
 std::string answer(const char* model, const std::string& property) {
@@ -179,8 +179,8 @@ const char* const chain =
     "[] s=2 -> true; [] s=3 -> (s'=0);\n"
     "endmodule\n";
 
-/// 0 is left to 1 (and 4, for ever between them) with 1/2, to 2 for ever with 1/4, back over 3 with 1/4: in the end
-/// two thirds to 1, one third to 2.
+/// State 0 goes to 1 with 1/2 (then alternates between 1 and 4 forever), to 2 forever with 1/4, and back through 3 with
+/// 1/4. In the limit, two thirds go to 1 and one third to 2.
 TEST(PrismPathFormulas, AreDecidedOnAChain) {
     EXPECT_EQ(answer(chain, "P=? [ F (s=3 & X s=0) ]"), "0.25");
     EXPECT_EQ(answer(chain, "P=? [ F (s=3 & F s=2) ]"), "1/12");  // 1/4 * 1/3
@@ -199,7 +199,7 @@ TEST(PrismPathFormulas, AreDecidedOnAChain) {
     EXPECT_EQ(answer(chain, "filter(max, P=? [ F (s=3 & F s=2) ], s=3)"), "1/3");
 }
 
-/// A switch that somebody turns as they please.
+/// A switch that the scheduler turns.
 const char* const turned =
     "mdp module M on : bool; n : [0..1];\n"
     "[turn] true -> 0.9:(on'=!on)&(n'=0) + 0.1:(n'=1);\n"

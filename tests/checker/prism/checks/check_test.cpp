@@ -1,4 +1,4 @@
-// Static checks: what the pages of the rules do not show.
+// Static checks that the pages of the rules do not show.
 #include "checker/prism/checks/check.hpp"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ struct Checked {
     std::optional<CheckedModel> model;
 };
 
-/// "a:M+N b:M": what acts together.
+/// "a:M+N b:M": the modules that synchronise on each action.
 std::string together(const std::string& system) {
     const Checked checked(
         "mdp\n"
@@ -47,7 +47,7 @@ std::string together(const std::string& system) {
     return text;
 }
 
-/// The findings of a model with actions `go` and `stop`, and more.
+/// The findings of a model with actions `go` and `stop`, and additional text.
 std::string actions(const std::string& more) {
     const Checked checked(
         "dtmc module M x:[0..1]; [go] x=0 -> (x'=1); [stop] x=1 -> true; [] true -> true; endmodule\n" + more);
@@ -63,7 +63,7 @@ TEST(PrismActions, ThatNoCommandHasAreErrorsWithTheNearestName) {
     EXPECT_THAT(actions("system M {og<-b} endsystem"), HasSubstr("action 'og' is not declared"));
     EXPECT_THAT(actions("module N y:[0..1]; [go] true -> true; endmodule system M |[goo]| N endsystem"),
                 HasSubstr("did you mean 'go'?"));
-    // A new name is an action from then on.
+    // A renaming introduces a new action.
     EXPECT_EQ(actions("system M {go<-walk} / {walk} endsystem rewards [walk] true : 1; endrewards"), "");
 }
 
@@ -75,9 +75,9 @@ TEST(PrismComposition, WithoutOneAllActTogetherOnCommonActions) {
 TEST(PrismComposition, OperatorsOfTheGrammar) {
     EXPECT_EQ(together("system M ||| N ||| O endsystem"), ":M a:M a:N b:M c:N c:O");
     EXPECT_EQ(together("system (M |[a]| N) ||| O endsystem"), ":M a:MN b:M c:N c:O");
-    // Both sides are asked for b, and N never offers it.
+    // Both sides must take part in b, and N never offers it.
     EXPECT_EQ(together("system (M |[a,b]| N) || O endsystem"), ":M a:MN c:NO");
-    // Hidden, a happens alone and unseen.
+    // When hidden, M's a occurs alone and is invisible.
     EXPECT_EQ(together("system (M / {a}) || N || O endsystem"), ":M :M.a a:N b:M c:NO");
     EXPECT_EQ(together("system M {b<-c} || N || O endsystem"), ":M a:MN c:M.bNO");
 }
@@ -102,7 +102,7 @@ TEST(PrismChecks, FunctionsAndActionsAreRenamed) {
     EXPECT_EQ(print(checked.model->modules[1].commands[0].branches[0].assignments[0].value), "max(y + 1, 3)");
 }
 
-/// A mistake in a base is reported once.
+/// A mistake in a base module is reported once, not for each renamed copy.
 TEST(PrismChecks, MistakesInABaseAreNotRepeated) {
     const Checked checked(
         "dtmc\n"

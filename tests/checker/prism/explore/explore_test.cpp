@@ -1,4 +1,4 @@
-// Exploration: the semantics of commands, worked out by hand.
+// Exploration: the semantics of commands, with results computed by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -70,7 +70,7 @@ TEST(PrismExplore, InfinityCompares) {
                 HasSubstr("Infinity is no probability"));
 }
 
-/// Nobody acts with M on `a`, so what it would write is not looked at.
+/// No module synchronises with M on `a`, so the update of the command is not evaluated.
 TEST(PrismExplore, CommandsThatCannotActAreNotEvaluated) {
     const Explored model(
         "dtmc module M x:[0..1]; [a] true -> (x'=x+5); [] true -> true; endmodule\n"

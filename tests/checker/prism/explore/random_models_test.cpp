@@ -1,5 +1,5 @@
-// Random models explored twice: by the program, and by a naive reading of the semantics that shares nothing with it but
-// the reader. States, choices, targets and probabilities are the same.
+// Random models are explored by the program and by a naive implementation of the semantics that shares only the parser
+// with it. States, choices, targets and probabilities must be the same.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace {
 using testing::Explored;
 using State = std::map<std::string, int>;
 using Distribution = std::map<State, Rational>;
-/// Of an mdp: the choices of a state. Of a dtmc: the one, without action.
+/// The choices of an mdp's state; for a dtmc the only choice, without an action.
 using Choices = std::multiset<std::pair<std::string, Distribution>>;
 
 class Random {
@@ -50,7 +50,7 @@ std::string guard(Random& random, int modules, int depth) {
     return (random.below(5) == 0 ? "!(" : "(") + left + relation + operand(random, modules) + ")";
 }
 
-/// In its range whatever the state.
+/// A random expression that stays in its range in every state.
 std::string value(Random& random, int modules) {
     const std::string a = operand(random, modules);
     const std::string b = operand(random, modules);
@@ -88,7 +88,7 @@ std::string command(Random& random, int modules, int module) {
             return text + ";\n";
         }
         case 2: {
-            // A probability of the state, which may be 0.
+            // A probability that depends on the state and may be 0.
             const std::string p = variable(random.below(modules), 0) + "/2";
             text += p + ":" + update(random, modules, module) + " + 1-" + p + ":";
             return text + update(random, modules, module) + ";\n";
@@ -115,7 +115,7 @@ std::string random_model(std::uint64_t seed) {
     return text;
 }
 
-// ---------------------------------------------------------------- the naive reading
+// ---------------------------------------------------------------- the naive implementation
 
 Rational evaluate(const ExprPtr& expr, const State& state) {
     const auto part = [&](std::size_t i) { return evaluate(expr->parts[i], state); };

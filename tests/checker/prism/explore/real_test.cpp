@@ -1,4 +1,4 @@
-// Real numbers: fractions stay exact, enclosures hold what they enclose.
+// Real numbers: fractions stay exact, and enclosures contain the exact value.
 #include "checker/prism/explore/real.hpp"
 
 #include <gtest/gtest.h>
@@ -86,7 +86,7 @@ TEST(PrismReal, InfinityIsAValue) {
     EXPECT_EQ((zero - infinite).compare(infinite), -1);
 }
 
-/// "0/0 has no value", "?" where it is not known whether there is one, "" where there is one.
+/// "0/0 has no value", "?" if it is unknown whether there is a value, "" if there is one.
 std::string problem(const std::function<Real()>& operation) {
     try {
         (void)operation();
@@ -110,7 +110,7 @@ TEST(PrismReal, WhatHasNoValueThrows) {
     EXPECT_EQ(problem([] { return Real(*floor_of(infinite)); }), "Infinity is no integer");
 }
 
-/// An enclosure with 0 in it: the quotient may be infinite, or have no value.
+/// If an enclosure contains 0, the quotient may be infinite or have no value.
 TEST(PrismReal, EnclosuresHoldEveryCase) {
     const Real small(Enclosure{0, 0.25});
     const Enclosure quotient = (one / small).bounds();

@@ -1,5 +1,5 @@
-// Statistical model checking against exact answers. Seeds are fixed; an interval at 1e-6 that missed the exact value
-// would be a fault with near certainty.
+// Statistical model checking compared with exact answers. Seeds are fixed. If an interval at 1e-6 does not contain the
+// exact value, this is almost certainly a bug.
 #include "checker/prism/simulation.hpp"
 
 #include <gmock/gmock.h>
@@ -23,7 +23,7 @@ using ::testing::HasSubstr;
 using testing::Read;
 using Kind = Result::Kind;
 
-/// A model that is sampled and never explored.
+/// A model that is sampled without exploration.
 struct Sampled {
     explicit Sampled(const std::string& model, const Values& constants = {}) {
         const ModelFile file = read_model(read.sources, read.add(model), read.diagnostics);
@@ -51,7 +51,7 @@ struct Sampled {
     std::optional<Instance> instance;
 };
 
-/// A die of coins (Knuth and Yao): its sides are equally likely.
+/// A die simulated with coins (Knuth and Yao): its sides have equal probability.
 constexpr const char* die =
     "dtmc module M s:[0..7]; d:[0..6];\n"
     "[] s=0 -> 0.5:(s'=1) + 0.5:(s'=2); [] s=1 -> 0.5:(s'=3) + 0.5:(s'=4); [] s=2 -> 0.5:(s'=5) + 0.5:(s'=6);\n"
@@ -71,7 +71,8 @@ struct Case {
     const char* property;
 };
 
-/// A number beside the exact one: inside the interval of Clopper and Pearson, or five deviations around a mean.
+/// Compares an estimate with the exact value: it must be inside the Clopper-Pearson interval, or within five standard
+/// deviations of a mean.
 void expect_near_exact(const Case& each, const std::string& method) {
     const double exact = Explored(each.model).ask(each.property).low.bounds().middle();
     const Result found = Sampled(each.model).ask(each.property, method);
@@ -115,13 +116,13 @@ TEST(PrismSimulation, EstimatesAgreeWithExactValues) {
     for (const Case& each : cases) expect_near_exact(each, "ci,samples=4000,confidence=0.000001");
 }
 
-/// The uniform scheduler of an mdp is its text as a dtmc.
+/// The uniform scheduler of an mdp is simulated as the same text read as a dtmc.
 TEST(PrismSimulation, AnMdpIsRefusedWithoutAScheduler) {
     EXPECT_THAT(Sampled("mdp module M x:[0..1]; [] true -> (x'=1); endmodule").ask("Pmax=? [ F x=1 ]").reason,
                 HasSubstr("scheduler"));
 }
 
-/// Paths of formulas over paths, which the numeric engine does not decide: sides 1 to 3 come by way of s=1.
+/// Nested path formulas, which the numeric engine does not support: the paths to sides 1 to 3 go through s=1.
 TEST(PrismSimulation, ConnectivesOfPathFormulas) {
     const auto about = [](const char* property, double value) {
         const Result found = Sampled(die).ask(property, "ci,samples=4000,confidence=0.000001");
@@ -156,18 +157,18 @@ TEST(PrismSimulation, TheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one.estimate->mean, Sampled(die).ask("R{\"flips\"}=? [ F s=7 ]", "ci", 3, 5).estimate->mean);
 }
 
-/// Two of samples, width and confidence give the third, by the formulas of PRISM's manual.
+/// Two of the numbers samples, width and confidence determine the third, by the formulas of PRISM's manual.
 TEST(PrismSimulation, ParametersOfMethods) {
     const auto ask = [](const char* method) { return *Sampled(die).ask("P=? [ F d=6 ]", method).estimate; };
     const Estimate usual = ask("ci");
     EXPECT_EQ(usual.samples, 1000U);
     EXPECT_EQ(usual.alpha, 0.01);
-    // t(0.005, 999) = 2.5808 (the table has 2.581 for 1000), and the variance of hits is n/(n-1) p (1-p).
+    // t(0.005, 999) = 2.5808 (the table has 2.581 for 1000), and the variance of the samples is n/(n-1) p (1-p).
     const double p = usual.mean;
     EXPECT_NEAR(*usual.width, 2.5808 * std::sqrt(p * (1 - p) / 999), 1e-5);
     EXPECT_NEAR(*ask("aci").width, 2.5758 * std::sqrt(p * (1 - p) / 999), 1e-5);
     const Estimate narrow = ask("ci,width=0.01,confidence=0.05");
-    // N is the first with N >= v t^2 / w^2: about 0.1389 * 1.9604^2 / 0.0001 = 5338.
+    // N is the first number with N >= v t^2 / w^2: about 0.1389 * 1.9604^2 / 0.0001 = 5338.
     EXPECT_NEAR(static_cast<double>(narrow.samples), 5338, 600);
     EXPECT_LE(*narrow.width, 0.01);
     const Estimate given = ask("ci,samples=2000,width=0.02");
@@ -203,7 +204,8 @@ TEST(PrismSimulation, BoundsAreDecidedOrLeftOpen) {
     EXPECT_TRUE(ask("P>=0.1 [ F d=6 ]", "sprt,width=0.02").truth);
     EXPECT_FALSE(ask("P<0.1 [ F d=6 ]", "sprt,width=0.02").truth);
     EXPECT_TRUE(ask("P<=0.3 [ F d=6 ]", "sprt").truth);
-    // One path is enough to see that it is possible, or not certain; none shows that it is impossible.
+    // One path shows that the event is possible, or that it is not certain; no number of paths shows that it is
+    // impossible.
     EXPECT_TRUE(ask("P>0 [ F d=6 ]", "ci").truth);
     EXPECT_FALSE(ask("P<=0 [ F d=6 ]", "ci").truth);
     EXPECT_FALSE(ask("P>=1 [ F d=6 ]", "ci").truth);
@@ -213,7 +215,7 @@ TEST(PrismSimulation, BoundsAreDecidedOrLeftOpen) {
     EXPECT_EQ(ask("R{\"flips\"}>=11/3 [ F s=7 ]", "ci").kind, Kind::unknown);
 }
 
-/// A path without choices comes back to a state: what has not come by then never does.
+/// A path without choices returns to a state: an event that has not occurred by then never does.
 TEST(PrismSimulation, LoopsAreNoticed) {
     const std::string model =
         "dtmc module M x:[0..9]; [] x=0 -> 0.5:(x'=1) + 0.5:(x'=5); [] x=1 -> (x'=2); [] x=2 -> (x'=3);\n"
@@ -228,7 +230,7 @@ TEST(PrismSimulation, LoopsAreNoticed) {
     EXPECT_FALSE(ask("R<=100 [ F x=5 ]").truth);
 }
 
-/// "I do not know" is not "false": a path that is open at its limit is no sample.
+/// Unknown is not "false": a path that is undecided at its limit is not a sample.
 TEST(PrismSimulation, AnOpenPathIsAnErrorAndNoAnswer) {
     const std::string walk =
         "dtmc module M x:[-1..9] init 0; [] x>=0 -> 0.5:(x'=min(9,x+1)) + 0.5:(x'=max(0,x-1)); endmodule\n"
@@ -277,7 +279,7 @@ TEST(PrismSimulation, WarningsComeOnceWhateverTheThreads) {
     EXPECT_EQ(model.read.findings(), "PRISM-E12:1");
 }
 
-/// A state has more combinations than can be counted one by one, and none of them is listed.
+/// A state has too many combinations to enumerate, and none of them is listed.
 TEST(PrismSimulation, ManyCombinationsAreNotListed) {
     std::string text = "dtmc\n";
     for (int i = 0; i < 20; ++i) {
@@ -290,8 +292,8 @@ TEST(PrismSimulation, ManyCombinationsAreNotListed) {
     EXPECT_GE(found.estimate->binomial->high, 0.25);
 }
 
-/// RoboTool's model of a high-voltage controller: 2.2 thousand million states and more, which nothing here explores.
-/// PRISM's logs give the mean lengths of 100 paths; ours lie where five deviations of both means allow.
+/// RoboTool's model of a high-voltage controller has more than 2.2 thousand million states, which no test explores.
+/// PRISM's logs contain the mean lengths of 100 paths; ours must be within five standard deviations of both means.
 TEST(PrismSimulation, PathsOfAControllerAreAsLongAsThoseOfPrism) {
     const auto shared = tests::shared_folder();
     ROBOCHART_NEEDS(!shared.empty(), "../shared");
@@ -318,7 +320,7 @@ TEST(PrismSimulation, PathsOfAControllerAreAsLongAsThoseOfPrism) {
         EXPECT_EQ(found.estimate->hits, static_cast<std::uint64_t>(each.samples)) << each.state;
         std::cout << each.state << ": " << found.estimate->mean_steps << " steps (" << found.estimate->least_steps
                   << " to " << found.estimate->most_steps << "), PRISM " << each.mean << "\n";
-        // The lengths are a least length and waiting times, which deviate by their mean at most.
+        // A length is a constant plus waiting times, whose standard deviation is at most their mean.
         const double deviation = each.mean * std::sqrt(1.0 / 100 + 1.0 / each.samples);
         EXPECT_NEAR(found.estimate->mean_steps, each.mean, 5 * deviation + each.resolution) << each.state;
     }

@@ -1,4 +1,4 @@
-// Counterexamples and strategies of small models, worked out by hand.
+// Counterexamples and strategies of small models, computed by hand.
 #include "checker/prism/counterexample.hpp"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ std::optional<Counterexample> why(Explored& model, const std::string& property) 
     return session.counterexample(0, {});
 }
 
-/// The states of a path, and what made the steps.
+/// The states of a path, and the commands of its steps.
 std::string text(const ProbablePath& path, const diagnostics::SourceManager& sources) {
     std::string result = path.from;
     for (const ProbablePath::Step& step : path.steps) result += " -" + text_of(step.by, sources) + "-> " + step.changes;
@@ -44,7 +44,7 @@ constexpr const char* robot =
 
 TEST(PrismCounterexample, TheMostProbablePathsThatExceedTheBound) {
     Explored model(robot);
-    // 0.25 for 0 2 and for 0 1 2, a quarter of that with one more stay in 0 before: 0.0625 each.
+    // 0.25 for 0 2 and for 0 1 2; a quarter of that, 0.0625 each, with one more stay in 0 before.
     const std::optional<Counterexample> found = why(model, "P<=0.55 [ F s=2 ]");
     ASSERT_TRUE(found);
     EXPECT_TRUE(found->holds);
@@ -74,7 +74,7 @@ TEST(PrismCounterexample, BoundsOnSteps) {
     EXPECT_FALSE(why(model, "P<=0.1 [ F[1,2] s=2 ]"));
 }
 
-/// A safe state is left with more than is allowed: G is violated by paths to the bad state.
+/// The probability to leave the safe states is greater than allowed: paths to the bad state violate G.
 TEST(PrismCounterexample, LowerBoundsOfSafety) {
     Explored model(robot);
     const std::optional<Counterexample> found = why(model, "P>=0.9 [ G s!=3 ]");
@@ -86,7 +86,7 @@ TEST(PrismCounterexample, LowerBoundsOfSafety) {
     EXPECT_EQ(found->bound.text(), "0.1");
 }
 
-/// Too unlikely: paths to states from which it cannot come any more.
+/// The probability is too small: the counterexample consists of paths to states from which the goal is unreachable.
 TEST(PrismCounterexample, LowerBoundsOfReachability) {
     Explored model(robot);
     const std::optional<Counterexample> found = why(model, "P>=0.8 [ F s=2 ]");
@@ -99,7 +99,7 @@ TEST(PrismCounterexample, LowerBoundsOfReachability) {
     EXPECT_FALSE(why(model, "P>=0.8 [ F<=4 s=2 ]"));
 }
 
-/// 2/3 is approached and never reached by finitely many paths.
+/// Finitely many paths approach 2/3 but never reach it.
 TEST(PrismCounterexample, WhereNoFiniteSetIsEnoughItSaysSo) {
     Explored model(robot);
     const std::optional<Counterexample> found = why(model, "P<2/3 [ F s=2 ]");

@@ -1,5 +1,5 @@
-// Texts that are nearly models: every prefix of one, and one with pieces cut, doubled and exchanged. Whatever they say,
-// they are refused with a finding, stopped by a limit, or answered.
+// Mutated models: every prefix of a text, and texts with pieces cut, doubled and exchanged. Each must be rejected with
+// a finding, stopped by a limit, or answered.
 #include <gtest/gtest.h>
 
 #include "diagnostics/splitmix64.hpp"
@@ -23,7 +23,7 @@ constexpr std::string_view property_text =
     "x=1) + "
     "floor(log(8,2));\nA [ G \"one\" >= 0 ] => P>=1 [ X b ];\nRmax=? [ C<=3 ];\n";
 
-/// Everything is done that the verb does.
+/// Does everything that the verb does.
 void process(const std::string& model, const std::string& properties) {
     diagnostics::Limits limits;
     limits.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);
@@ -73,7 +73,7 @@ TEST(PrismMutants, Prefixes) {
         process(std::string(model_text), std::string(property_text.substr(0, length)));
 }
 
-/// Words and symbols of one text or of both, cut, doubled, exchanged.
+/// Cuts, doubles or exchanges words and symbols of one or both texts.
 std::string mutant(std::string text, std::uint64_t& seed) {
     const auto place = [&] { return diagnostics::splitmix64(seed) % (text.size() + 1); };
     const int changes = 1 + static_cast<int>(diagnostics::splitmix64(seed) % 3);

@@ -1,4 +1,4 @@
-// Properties over small models, worked out by hand.
+// Properties of small models, computed by hand.
 #include "checker/prism/session.hpp"
 
 #include <gmock/gmock.h>
@@ -17,12 +17,12 @@ using testing::failure;
 using ::testing::HasSubstr;
 using Kind = Result::Kind;
 
-/// From 0 to 1 or 2 with a third and two thirds; both stay.
+/// From 0 to 1 with probability one third, to 2 with two thirds; both are absorbing.
 constexpr const char* fork =
     "dtmc module M s:[0..2]; [] s=0 -> 1/3:(s'=1) + 2/3:(s'=2); [] s>0 -> true; endmodule\n"
     "label \"one\" = s=1; rewards \"r\" true : 1; endrewards rewards \"e\" s=0 : 1; endrewards\n";
 
-/// A loop that may go on, or end in 2 or 3.
+/// A loop that may continue, or end in 2 or 3.
 constexpr const char* loop =
     "mdp module M s:[0..3]; [] s=0 -> (s'=1); [] s=1 -> (s'=0);\n"
     "[] s=1 -> 0.5:(s'=2) + 0.5:(s'=3); [] s>=2 -> true; endmodule\n";
@@ -34,7 +34,7 @@ std::string exact(const char* model, const std::string& property) {
     return result.kind == Kind::number ? result.low.text() : result.low.text() + ".." + result.high.text();
 }
 
-/// The same with enclosures: whether it holds the exact answer.
+/// Repeats the check with enclosures, which must contain the exact answer.
 void expect_agreement(const char* model, const std::string& property) {
     const Result fractions = Explored(model).ask(property, {1e-6, true, nullptr});
     const Result doubles = Explored(model).ask(property);
@@ -138,7 +138,8 @@ TEST(PrismSession, WhatIsNotDecidedSaysSo) {
     EXPECT_THAT(exact(loop, "S=? [ s=1 ]"), HasSubstr("not decided"));
 }
 
-/// The value is 0.5, but no enclosure of doubles is: 1/3 + 1/6. With few states fractions decide.
+/// The value is 0.5 = 1/3 + 1/6, but enclosures of doubles cannot decide this. Models with few states are decided with
+/// fractions.
 TEST(PrismSession, AComparisonThatEnclosuresLeaveOpenIsDecidedByFractions) {
     const std::string model =
         "dtmc module M s:[0..3]; [] s=0 -> 1/3:(s'=1) + 1/6:(s'=2) + 1/2:(s'=3);\n"
@@ -147,7 +148,7 @@ TEST(PrismSession, AComparisonThatEnclosuresLeaveOpenIsDecidedByFractions) {
     EXPECT_FALSE(Explored(model).ask("P>0.5 [ F (s=1 | s=2) ]").truth);
 }
 
-/// With many states it stays open, and the enclosure is said.
+/// With many states the comparison stays undecided, and the report contains the enclosure.
 TEST(PrismSession, AnOpenComparisonIsNotGuessed) {
     const std::string model =
         "dtmc module M s:[0..999]; [] s=0 -> 1/3:(s'=1) + 1/6:(s'=2) + 1/2:(s'=3);\n"

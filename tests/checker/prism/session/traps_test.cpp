@@ -1,4 +1,4 @@
-// Models on which plausible algorithms answer wrongly, each with what such an algorithm says and what is true.
+// Models on which plausible algorithms give a wrong answer; comments state the wrong and the correct answer.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,15 +20,16 @@ void expect_encloses(const Result& found, double value) {
     EXPECT_LE(bounds.high - bounds.low, 1e-6 * value);
 }
 
-/// Iteration that stops when nothing changes much (Haddad and Monmege, Interval iteration algorithm for MDPs and IMDPs,
-/// 2018): n heads in a row before n tails in a row, where the coin begins anew after each change. By symmetry 1/2.
+/// Iteration that stops at small changes (Haddad and Monmege, Interval iteration algorithm for MDPs and IMDPs, 2018): n
+/// heads in a row before n tails in a row, where the coin starts again after each change. By symmetry the probability
+/// is 1/2.
 TEST(PrismTraps, SlowConvergenceIsNoConvergence) {
     constexpr int n = 18;
     const std::string model =
         "dtmc const int n; module M s:[-n..n] init 0;\n"
         "[] s>=0 & s<n -> 0.5:(s'=s+1) + 0.5:(s'=s=0 ? -1 : 0); [] s<0 & s>-n -> 0.5:(s'=s-1) + 0.5:(s'=0);\n"
         "[] s=n | s=-n -> true; endmodule\n";
-    // From 0 up, sweep by sweep, until the value of the start changes by less than a millionth of itself.
+    // Iterates from 0 until the value of the initial state changes by less than a millionth of itself.
     std::vector<double> value(2 * n + 1, 0);
     value[2 * n] = 1;
     double before = 0;
@@ -50,7 +51,7 @@ TEST(PrismTraps, SlowConvergenceIsNoConvergence) {
     EXPECT_EQ(Explored(model, constants).ask("P=? [ F s=n ]", {1e-6, true, nullptr}).low.text(), "0.5");
 }
 
-/// A loop without cost: iteration from 0 takes it for ever and says 0. Away from it costs 7.
+/// A loop without cost: iteration from 0 stays in it and answers 0. To leave it costs 7.
 TEST(PrismTraps, ALoopThatCostsNothingIsNoWayToTheGoal) {
     const std::string model =
         "mdp module M s:[0..2]; [a] s=0 -> (s'=1); [a] s=1 -> (s'=0); [b] s=0 -> (s'=2); [] s=2 -> true; endmodule\n"
@@ -60,7 +61,7 @@ TEST(PrismTraps, ALoopThatCostsNothingIsNoWayToTheGoal) {
     EXPECT_TRUE(std::isinf(Explored(model).ask("Rmax=? [ F s=2 ]").low.bounds().low));
 }
 
-/// An end component: iteration from 1 stays there for ever, since going round keeps the bound. True is 0.3.
+/// An end component: iteration from 1 stays at 1, because the loop preserves this bound. The correct value is 0.3.
 TEST(PrismTraps, AnEndComponentKeepsNoBoundFromAbove) {
     const std::string model =
         "mdp module M s:[0..3]; [] s=0 -> (s'=1); [] s=1 -> 0.5:(s'=0) + 0.5:(s'=1);\n"
@@ -71,7 +72,8 @@ TEST(PrismTraps, AnEndComponentKeepsNoBoundFromAbove) {
     EXPECT_TRUE(Explored(model).ask("P<=0.31 [ F s=2 ]").truth);
 }
 
-/// Where the goal may be missed the expected reward is infinite, however large a part of the paths arrives.
+/// If the goal is reached with probability below 1, the expected reward is infinite, however close the probability is
+/// to 1.
 TEST(PrismTraps, ARewardThatIsNeverCollectedInFullIsInfinite) {
     const std::string chain =
         "dtmc module M s:[0..2]; [] s=0 -> 0.999999:(s'=1) + 0.000001:(s'=2); [] s>0 -> true; endmodule\n"
@@ -79,7 +81,8 @@ TEST(PrismTraps, ARewardThatIsNeverCollectedInFullIsInfinite) {
     EXPECT_TRUE(std::isinf(Explored(chain).ask("R=? [ F s=1 ]").low.bounds().low));
     EXPECT_FALSE(Explored(chain).ask("R<=1000000 [ F s=1 ]").truth);
     expect_encloses(Explored(chain).ask("R=? [ F s>0 ]"), 1);
-    // Of an mdp the least is finite where one scheduler arrives, the greatest where all do.
+    // For an mdp, the minimum is finite if some scheduler reaches the goal with probability 1, the maximum if all
+    // schedulers do.
     const std::string choice =
         "mdp module M s:[0..1]; [stay] s=0 -> true; [go] s=0 -> (s'=1); [] s=1 -> true; endmodule\n"
         "rewards [go] true : 3; endrewards\n";

@@ -1,5 +1,5 @@
-// Models behind public questions and faults of other tools, and models that went wrong here (suite/findings3). Values
-// are reasoned beside each. Skipped where the material is absent.
+// Models of public questions and of bugs in other tools, and models for which this program once failed
+// (suite/findings3). Comments derive the values. The test is skipped if the material is absent.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::Explored;
 
-/// A model of the folder, a property of it with the answer as fraction, text or truth value.
+/// A model of the folder, and a property with its answer as a fraction, text or truth value.
 struct Question {
     std::string model, property, answer;
 };
@@ -39,7 +39,7 @@ std::string text_of(const Result& result) {
     return "not decided: " + result.reason;
 }
 
-/// With fractions, and an enclosure that holds the fraction.
+/// Checks the answer with fractions, and that the enclosure contains the fraction.
 void expect(const fs::path& folder, const std::vector<Question>& questions) {
     for (const Question& each : questions) {
         std::string found;
@@ -79,11 +79,12 @@ TEST(PrismQuestions, UndefinedValuesAreErrorsOnlyWhereTheyAreUsed) {
                     {"quot.prism", "P=? [ F x=0 ] / P=? [ F x=2 ]", "1"},
                     {"quot.prism", "1 / P=? [ F x=0 ]", "2"},
                     {"quot.prism", "log(P=? [ F x=0 ], 2)", "-1"},
-                    // From 0 to 1 after two steps on average, each with reward 2; 2 stays away from 1, 3 may do so.
+                    // From 0 to 1 after two steps on average, each with reward 2; 2 never reaches 1, and 3 may avoid
+                    // it.
                     {"inf2.prism", "filter(min, R{\"a\"}=? [ F x=1 ] / R{\"b\"}=? [ F x=1 ], x=0)", "0.5"},
                     {"inf2.prism", "R{\"a\"}=? [ F x=1 ] / R{\"b\"}=? [ F x=1 ]", "Infinity/Infinity has no value"},
                     {"inf2.prism", "filter(range, R{\"a\"}=? [ F x=1 ])", "0..Infinity"},
-                    // x/0 > 1000 holds, x/0 < 40 does not: `stay` is there from the beginning.
+                    // x/0 > 1000 is true and x/0 < 40 is false: `stay` is enabled from the start.
                     {"inf.prism", "Pmin=? [ F s=3 ]", "0"},
                     {"inf.prism", "Pmax=? [ F s=3 ]", "1"},
                 });
@@ -135,18 +136,18 @@ TEST(PrismQuestions, WhatCameOutRightStaysRight) {
                     {"cond.prism", "Pmax=? [ F x=2 ]", "0.3"},
                     {"cond.prism", "Pmin=? [ x!=2 U x=1 ]", "0.7"},
                     {"cond.prism", "Pmax=? [ (F x=2) & (F x=1) ]", "0.3"},
-                    // The loop of a deadlock earns nothing.
+                    // The self-loop of a deadlock has no reward.
                     {"dead.prism", "R{\"r\"}max=? [ C ]", "2"},
                     {"dead.prism", "R{\"r\"}max=? [ C<=5 ]", "2"},
                     {"dead.prism", "E [ F \"deadlock\" ]", "true"},
-                    // c is counted up with some probability in every step.
+                    // Every step increases c with positive probability.
                     {"fl.prism", "P=? [ F c=2 ]", "1"},
                     {"fl.prism", "TOP", "2"},
                     {"initout.prism", "P=? [ F pc=1 ]", "error[PRISM-E03]"},
-                    {"lab.prism", "P=? [ F \"odd\" ]", "error[PRISM-T14]"},  // labels are made of states
+                    {"lab.prism", "P=? [ F \"odd\" ]", "error[PRISM-T14]"},  // labels are formulas over states
                     {"multi.prism", "P=? [ F s=2 ]", "1..1"},
                     {"multi.prism", "filter(count, true, \"init\")", "3"},
-                    // Both items count for a `go` of both modules.
+                    // Both reward items apply to a `go` of both modules.
                     {"multi2.prism", "Rmax=? [ F x>0 & y>0 ]", "4"},
                     {"multi2.prism", "Pmin=? [ F x=2 ]", "0"},
                     {"names.prism", "P=? [ F ma=3 ]", "1"},
@@ -155,14 +156,14 @@ TEST(PrismQuestions, WhatCameOutRightStaysRight) {
                     {"names.prism", "P=? [ F time=1 ]", "0.875"},
                     {"neg.prism", "R{\"gain\"}=? [ F \"home\" ]", "error[PRISM-E09]"},
                     {"ord.prism", "P=? [ F a=5 & b=5 ]", "1"},
-                    // 36 pairs of a and b before the sum is taken, all but the first also while it is.
+                    // 36 pairs of a and b before the sum is computed; all but the first also occur afterwards.
                     {"ord.prism", "filter(count, true)", "71"},
                     // Half of the paths alternate between 1 and 2.
                     {"per.prism", "R=? [ S ]", "1"},
                     {"per.prism", "S=? [ s=1 ]", "0.25"},
                     {"sum.prism", "true", "error[PRISM-E05]"},
                     {"sum2.prism", "true", "error[PRISM-E05]"},  // a third update without a probability has 1
-                    // Who waits for ever earns nothing, and never arrives.
+                    // A scheduler that waits forever collects no reward, but never reaches the goal.
                     {"zero.prism", "Rmin=? [ F s=1 ]", "1"},
                     {"zero.prism", "Rmax=? [ F s=1 ]", "Infinity"},
                 });
@@ -173,16 +174,18 @@ TEST(PrismQuestions, WhatCameOutRightStaysRight) {
     EXPECT_EQ(file.properties.size(), 3U);
 }
 
-/// Six units of energy: `slow` alone arrives unless three of six steps fail; without energy away from home it is over.
+/// Six units of energy: with `slow` alone the robot arrives unless three of six steps fail; without energy away from
+/// home the run is over.
 TEST(PrismQuestions, ARobotWithABatteryIsDecided) {
     const fs::path all = folder("right/models");
     ROBOCHART_NEEDS(!all.empty() && fs::exists(all), "../shared/suite/findings3");
     expect(all, {
                     {"mdp.prism", "filter(count, true)", "25"},
                     {"mdp.prism", "filter(count, \"deadlock\")", "6"},
-                    // Three times `fast`: the worst is that two of three fail. 1 - 3 * 0.7 * 0.3^2 - 0.3^3.
+                    // `fast` three times: the worst case is that two of three fail. 1 - 3 * 0.7 * 0.3^2 - 0.3^3.
                     {"mdp.prism", "Pmin=? [ F \"goal\" ]", "0.784"},
-                    // Under some failures of `slow` the battery is empty on the way, so no scheduler is sure to arrive.
+                    // If `slow` fails too often, the battery is empty on the way, so no scheduler reaches the goal with
+                    // probability 1.
                     {"mdp.prism", "R{\"time\"}min=? [ F \"goal\" ]", "Infinity"},
                     {"mdp.prism", "P>=1 [ F (\"goal\" | \"deadlock\") ]", "true"},
                 });

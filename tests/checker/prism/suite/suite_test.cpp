@@ -1,6 +1,6 @@
-// Expectations worked out by hand (suite/prism/prism-tests), and values of the Quantitative Verification Benchmark Set
-// (suite/prism/qvbs): each as an enclosure, and with fractions where the model is small. Skipped where the material is
-// absent.
+// Expectations computed by hand (suite/prism/prism-tests), and values of the Quantitative Verification Benchmark Set
+// (suite/prism/qvbs). Each is checked with enclosures, and with fractions if the model is small. The test is skipped if
+// the material is absent.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,7 +47,7 @@ std::vector<Row> table(const fs::path& path) {
     return rows;
 }
 
-/// Values as --const takes them.
+/// Values in the notation of --const.
 Values values(const std::string& text, const std::string& model) {
     testing::Read read;
     const ModelFile file = read_model(read.sources, read.add(model), read.diagnostics);
@@ -59,7 +59,7 @@ Explored explored(const fs::path& folder, const Row& row, const std::string& con
     return Explored(model, values(constants, model));
 }
 
-/// The enclosure holds the value, and is narrow.
+/// The enclosure contains the value and is narrow.
 bool encloses(const Real& found, double wanted) {
     const Enclosure bounds = found.bounds();
     if (std::isinf(wanted)) return bounds.low == wanted;
@@ -83,7 +83,7 @@ bool as_wanted(const Result& found, const std::string& wanted) {
     return found.kind == Kind::number && encloses(found.low, number(wanted));
 }
 
-/// What is not as the row says; "" if all is.
+/// The first difference from the row; "" if there is none.
 std::string difference(const fs::path& folder, const Row& row, bool exact) {
     const std::string& wanted = row.at("result");
     const std::string& expression = row.at("expression");
@@ -114,7 +114,7 @@ TEST(PrismSuite, HandMadeExpectations) {
                 << row.at("result") << (exact ? " (exact)" : "");
 }
 
-/// Why a row of the benchmark set is not run here; "" if it is.
+/// The reason why this test skips a row of the benchmark set; "" if it runs the row.
 std::string left_out(const Row& row) {
     if (row.at("dialect") == "storm") return "asks for reward-bounded paths, which PRISM's language does not have";
     if (row.at("model") == "mdp/rabin/rabin.5.prism")
@@ -123,11 +123,11 @@ std::string left_out(const Row& row) {
     return "";
 }
 
-/// Counts of the table that are not those of the definition.
+/// Counts in the table that do not follow from the definition.
 bool known_departure(const Row& row, const std::string& column) {
-    // A philosopher's step changes one of three equal parts of a ring, so the coin flips, the only choices with two
-    // branches, are as many for each: 3696 - 3342 = 354 is divisible by 3, 3696 - 3271 = 425 is not. The table counts
-    // the branches of equal choices each time, as PRISM does, and the choices once.
+    // A philosopher's step changes one of three equal parts of a ring. Coin flips are the only choices with two
+    // branches, so each philosopher has the same number of them. 3696 - 3342 = 354 is divisible by 3, 3696 - 3271 = 425
+    // is not. The table counts the branches of equal choices each time, as PRISM does, but the choices only once.
     return row.at("model") == "mdp/philosophers-mdp/philosophers-mdp.3.prism" && column == "choices";
 }
 
@@ -142,7 +142,7 @@ void expect_counts(const Row& row, const StateSpace& space) {
         }
 }
 
-/// The fraction of the row; from EXACT.tsv where it is long.
+/// The fraction of the row; from EXACT.tsv if it is long.
 std::string fraction(const Row& row, const std::vector<Row>& long_ones) {
     const std::string& text = row.at("exact");
     if (text.find("EXACT") == std::string::npos) return text;
@@ -167,7 +167,7 @@ TEST(PrismSuite, BenchmarkSet) {
         else
             models[{row.at("model"), row.at("constants")}].push_back(row);
     for (const auto& [key, rows] : models) {
-        // The constant B is one of properties that are left out.
+        // The constant B belongs to properties that this test skips.
         const std::string constants = key.second.substr(0, key.second.find(",B="));
         Explored model = explored(folder, rows.front(), constants);
         expect_counts(rows.front(), *model.space);
@@ -204,8 +204,9 @@ TEST(PrismSuite, BenchmarkSet) {
     EXPECT_GE(exact_run, 60U);
 }
 
-/// RoboTool's model of a robot beside people, half a million states: counts as PRISM's, values as an independent
-/// computation gives them, for one of the six sets of constants (the others have up to 2.3 million states).
+/// RoboTool's model of a robot next to people, with half a million states. The counts are those of PRISM, and the
+/// values come from an independent computation, for one of the six sets of constants (the others have up to 2.3 million
+/// states).
 TEST(PrismSuite, AModelOfRoboTool) {
     const fs::path shared = tests::shared_folder();
     ROBOCHART_NEEDS(!shared.empty(), "../shared");

@@ -1,4 +1,4 @@
-// What is printed reads back as the same tree.
+// Printed text parses to the same tree.
 #include "checker/prism/syntax/printer.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ void expect_same(const std::string& text) {
     EXPECT_TRUE(same_expr(first, second)) << text << "\n" << printed;
 }
 
-/// A random expression, fully in parentheses, of everything the language has.
+/// A random expression with all constructs of the language, fully parenthesised.
 std::string random_text(std::uint64_t& seed, int depth) {
     const auto sub = [&] { return "(" + random_text(seed, depth - 1) + ")"; };
     if (depth == 0) {

@@ -1,4 +1,4 @@
-// The reader: precedence, recovery, what is refused, hostile texts.
+// The parser: precedence, recovery, rejected and malicious texts.
 #include "checker/prism/syntax/reader.hpp"
 
 #include <gtest/gtest.h>
@@ -41,8 +41,8 @@ std::string property_findings(const std::string& text) {
     return read.findings();
 }
 
-/// By the grammar: unary minus binds tighter than power, power and implication group to the right, the rest to the
-/// left, negation stands between & and =.
+/// By the grammar: unary minus binds tighter than power; power and implication are right-associative, other operators
+/// left-associative; negation binds tighter than & and looser than =.
 TEST(PrismReader, BindsAsTheGrammarSays) {
     const std::pair<const char*, const char*> same[] = {
         {"!x=1", "!(x=1)"},

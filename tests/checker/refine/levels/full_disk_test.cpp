@@ -1,5 +1,5 @@
-// On a disk that has no space at all left, what has been searched is kept as far as it fits, whatever it is that no
-// longer fits: rows, what a checkpoint has beside them, or its own text.
+// On a full disk the search so far is saved as far as it fits, whichever write fails: rows, the other data of a
+// checkpoint, or the text of the checkpoint.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ KeptWhere where_in(const std::string& folder) {
     return where;
 }
 
-/// Levels of so many rows that no level before has, until there is no space for more, or there are 1500.
+/// Adds levels of new rows until the disk is full, or there are 1500 levels.
 void fill(RowStore& store, unsigned rows) {
     std::mt19937 random(rows);
     for (Word level = 0; level < 1500; ++level) {
@@ -41,7 +41,7 @@ void fill(RowStore& store, unsigned rows) {
     }
 }
 
-/// The levels of the newest checkpoint, all of whose files can be read; 0: there is none.
+/// The number of levels in the newest checkpoint, all of whose files must be readable; 0 if there is none.
 std::uint32_t levels_kept(const KeptWhere& where) {
     std::uint64_t newest = 0;
     for (const auto& each : fs::directory_iterator(where.folder)) {
@@ -55,7 +55,7 @@ std::uint32_t levels_kept(const KeptWhere& where) {
     return files.levels();
 }
 
-/// How many of a hundred levels are kept of those that were written; 99: all, or nearly so.
+/// The percentage of written levels that the checkpoint contains; 99: all or nearly all.
 int kept_of_hundred(const KeptWhere& where, RowStore& store, unsigned rows) {
     try {
         fill(store, rows);
@@ -75,8 +75,8 @@ protected:
     diagnostics::TemporaryFolder folder_{"", error_};
 };
 
-// The least that a checkpoint needs is a page for its text, and one or two for each level given up in vain; half of all
-// levels go at most, when the number of those given up is doubled once too often.
+// A checkpoint needs at least one page for its text, and one or two for each level that is given up. At most half of
+// all levels are lost, if the number of levels to give up is doubled once too often.
 TEST_F(FullDisks, KeepLevelsOfAnySize) {
     for (const unsigned rows : {20U, 200U, 3000U})
         for (const unsigned kibibytes : {100U, 200U}) {
@@ -93,7 +93,7 @@ TEST_F(FullDisks, KeepLevelsOfAnySize) {
         }
 }
 
-// Closed levels in memory are not all written; those that were are kept.
+// Some closed levels in memory are not written; the written ones are saved.
 TEST_F(FullDisks, KeepWhatWasWrittenOfLevelsInMemory) {
     for (const unsigned kibibytes : {100U, 200U}) {
         const int kept = tests::on_small_disk(folder_.path(), kibibytes, [&] {
@@ -108,7 +108,7 @@ TEST_F(FullDisks, KeepWhatWasWrittenOfLevelsInMemory) {
     }
 }
 
-// What attempts that fail have written beside the levels is gone, so that there is space for fewer levels with it.
+// Failed attempts remove the data that they wrote next to the levels, so that a checkpoint of fewer levels fits.
 TEST_F(FullDisks, AreNotFilledByAttemptsThatFail) {
     const int kept = tests::on_small_disk(folder_.path(), 600, [&] {
         std::mt19937 random(3);
@@ -133,7 +133,7 @@ TEST_F(FullDisks, AreNotFilledByAttemptsThatFail) {
         const std::uint32_t written = levels.files().levels();
         levels.checkpoint_of_fewer(record, [&](const storage::TakeRows& take) { take(unsure); });
         const auto there = std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator());
-        if (there != 4) return 0;  // rows, marks, unsure, and the checkpoint
+        if (there != 4) return 0;  // rows, marks, unsure rows, and the checkpoint
         return static_cast<int>(std::min(99U, levels_kept(where) * 100 / written));
     });
     if (kept == 100) GTEST_SKIP() << "no disk can be mounted";

@@ -1,4 +1,4 @@
-// A search that goes on with another number of ranks has each row once, and refuses parts that have a row twice.
+// A search that is resumed with another number of ranks has each row once, and rejects parts with a duplicate row.
 #include "checker/refine/levels/kept_levels.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using lts::Word;
 
-/// What two ranks have, and one goes on from: the rows of level 0, or why it is refused.
+/// Two ranks have these rows, and one rank resumes: returns the rows of level 0, or the reason for a rejection.
 std::string gone_on_from(const std::vector<Word>& first, const std::vector<Word>& second, std::vector<Word>& rows) {
     std::string error;
     const diagnostics::TemporaryFolder folder("", error);

@@ -1,6 +1,6 @@
-// Row stores that use files give what rows in memory give: levels, figures, violations and cycles of taus; also if the
-// search is stopped again and again and goes on from its checkpoints, in another store, by other ranks; and if filters
-// of few bits take many new rows for old ones.
+// Row stores that use files behave like rows in memory: same levels, figures, violations and tau cycles. This must also
+// hold if the search is stopped repeatedly and resumed from its checkpoints, in another store or by other ranks, and if
+// small filters take many new rows for old ones.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -32,7 +32,7 @@ namespace {
 using lts::Graph;
 using process::Event;
 
-/// Some states long, some wide; edges lead forward, back and anywhere.
+/// Some graphs have many levels, some wide ones; edges lead forward, back and anywhere.
 Graph random_graph(std::mt19937& random, std::size_t states, bool deadlocks, unsigned taus) {
     Graph graph;
     for (std::size_t state = 0; state < states; ++state) {
@@ -64,11 +64,11 @@ std::vector<std::vector<lts::Word>> states_of(const Run& run) {
 
 using MakeStore = std::function<std::unique_ptr<RowStore>(const Exchange&)>;
 
-/// The levels that the ranks of a search have in common, when they begin and when they end.
+/// The levels that all ranks of a search have when it starts and when it ends.
 struct CommonLevels {
     Level begun = std::numeric_limits<Level>::max(), ended = begun;
-    bool differ = false;    ///< at the end
-    bool searched = false;  ///< the first rank's search has ended, but for cycles of taus
+    bool differ = false;    ///< at the end the ranks have different numbers of levels
+    bool searched = false;  ///< the first rank's search has ended, except for the search for tau cycles
     std::mutex alone;
     void begin(Level levels) {
         const std::lock_guard lock(alone);
@@ -111,7 +111,7 @@ Answer answer(const Graph& graph, unsigned ranks, const Limits& limits, const Ma
 
 class KeptRows : public testing::Test {
 protected:
-    /// A folder of its own for each search.
+    /// A separate folder for each search.
     [[nodiscard]] KeptWhere where(const Exchange& exchange, std::uint8_t search) const {
         KeptWhere where;
         where.folder = folder_.path();
@@ -189,8 +189,8 @@ TEST_F(KeptRows, OnDiskAreThoseInMemory) {
     EXPECT_GT(cycles, 8U);
 }
 
-// Stopped after some work, each time by a limit at a random moment; then as often as needed, with other ranks and in
-// memory or not.
+// Each search is stopped by a limit at a random time, and resumed as often as needed, with other ranks, in memory or on
+// disk.
 TEST_F(KeptRows, GoOnFromCheckpoints) {
     std::mt19937 random(6);
     int stops = 0;
@@ -207,7 +207,7 @@ TEST_F(KeptRows, GoOnFromCheckpoints) {
             bounds.most_bytes = random() % 2 == 0 ? 0 : 1U << 10U;
             bounds.filter_bits = 1;
             bounds.reads_a_step = random() % 2 == 0 ? 0 : 8;
-            // The limit grows, so that each attempt comes further.
+            // The limit grows, so each attempt gets further.
             Limits limits;
             limits.max_states = 10 + static_cast<std::uint64_t>(attempt) * (1 + random() % 20);
             const int every = static_cast<int>(random() % 3);
@@ -238,7 +238,7 @@ TEST_F(KeptRows, GoOnFromCheckpoints) {
     EXPECT_GT(stops, 50);
 }
 
-/// A few levels, each about ten times as wide as the one before, whose rows are met several times.
+/// A few levels, each about ten times as wide as the previous one; their rows are reached several times.
 Graph growing_graph(std::mt19937& random, std::size_t states, bool divergence) {
     Graph graph;
     for (std::size_t state = 0; state < states; ++state) {
@@ -253,15 +253,15 @@ Graph growing_graph(std::mt19937& random, std::size_t states, bool divergence) {
     return graph;
 }
 
-/// Where a limit is met.
+/// The time at which a limit is reached.
 struct Moment {
-    bool closing = false;  ///< else: in the midst of long work
-    int number = 0;        ///< of all such moments of the first rank
+    bool closing = false;  ///< when a level is closed; otherwise during long work
+    int number = 0;        ///< the number of such moments of the first rank so far
 };
 
-// A limit that the first rank alone meets, whenever it closes a level, and in the midst of work with files: while it
-// merges runs, reads through the files, fills the filter or goes back. Others have then closed a level more, or
-// forgotten some; what all have is kept.
+// Only the first rank reaches the limit: when it closes a level, and during work with files, while it merges runs,
+// reads the files, fills the filter or rolls back. Other ranks have then closed one level more, or discarded some. The
+// levels that all ranks have are saved.
 TEST_F(KeptRows, GoOnFromLevelsThatAllRanksHaveClosed) {
     std::mt19937 random(9);
     int differed = 0;
@@ -271,7 +271,7 @@ TEST_F(KeptRows, GoOnFromLevelsThatAllRanksHaveClosed) {
     const auto stop_and_go_on = [&](const Graph& graph, const Answer& expected, unsigned ranks, Moment last) {
         clear();
         stopped = false;
-        // Where it closes levels, it has gone back to some of them.
+        // With this little memory, some levels were rolled back before they are closed.
         bounds.most_bytes = last.closing ? 1U << 11U : 0;
         bounds.reads_a_step = last.closing || last.number % 2 == 0 ? 0 : 8;
         CommonLevels before, after;
@@ -323,8 +323,8 @@ TEST_F(KeptRows, GoOnFromLevelsThatAllRanksHaveClosed) {
     EXPECT_GT(differed, 5);
 }
 
-// Whatever a full disk stops: closing a level, putting rows aside, writing a checkpoint or going back. As many levels
-// as there is space for are kept, never fewer than before, and another run that has space goes on.
+// The full disk may stop the closing of a level, the writing of rows or of a checkpoint, or a rollback. As many levels
+// are saved as fit, never fewer than before, and another run with free space continues.
 TEST_F(KeptRows, GoOnAfterAFullDisk) {
     std::mt19937 random(10);
     int stops = 0, kept_more = 0;
@@ -373,7 +373,7 @@ TEST_F(KeptRows, GoOnAfterAFullDisk) {
     EXPECT_GE(kept_more, 3) << "what no checkpoint had before the disk was full";
 }
 
-/// A system whose initial state nobody has the time for.
+/// A system whose initial state takes too long to compute.
 class Endless final : public lts::TransitionSystem {
 public:
     explicit Endless(const process::EventTable& events) : events_(events) {}
@@ -387,7 +387,7 @@ private:
     const process::EventTable& events_;
 };
 
-// Without a level there is nothing that another run could read.
+// Without a level another run could not resume.
 TEST_F(KeptRows, HaveNoCheckpointBeforeTheFirstLevel) {
     const process::EventTable table;
     Endless system(table);
@@ -407,7 +407,7 @@ TEST_F(KeptRows, HaveNoCheckpointBeforeTheFirstLevel) {
     }
 }
 
-// What follows the last level may take long.
+// The search for cycles after the last level may take long.
 TEST_F(KeptRows, HaveACheckpointBeforeCyclesAreLookedFor) {
     std::mt19937 random(8);
     const Graph graph = random_graph(random, 300, false, 15);
@@ -427,7 +427,7 @@ TEST_F(KeptRows, HaveACheckpointBeforeCyclesAreLookedFor) {
     EXPECT_EQ(found[0].levels, store.levels());
 }
 
-// While it reads again what lies before, the levels that it leaves are in files alone; they are not lost.
+// During a rollback, the levels that are rolled back exist only in files. They are not lost if it is stopped.
 TEST_F(KeptRows, AreThereWhereARollBackIsStopped) {
     LoneExchange alone;
     KeptWhere where = this->where(alone, 1);
@@ -458,7 +458,7 @@ TEST_F(KeptRows, AreThereWhereARollBackIsStopped) {
     EXPECT_FALSE(again.settle());
 }
 
-/// Why the checkpoint in the folder is refused.
+/// The reason why the checkpoint in the folder is rejected.
 std::string refusal(KeptWhere where) {
     where.from = storage::newest_in(where.folder);
     try {
@@ -487,7 +487,7 @@ TEST_F(KeptRows, AreRefusedWithLevelsThatAreNot) {
     EXPECT_NE(refusal(where).find("it has rows of level 7, which is not closed"), std::string::npos);
 }
 
-// Numbers that one rank alone has used are not used again, and nothing is passed over in silence.
+// The next checkpoint does not reuse a number that only one rank has used, and incomplete checkpoints are skipped.
 TEST_F(KeptRows, BeginAnewBehindCheckpointsThatAreNotComplete) {
     LoneExchange alone;
     KeptWhere where = this->where(alone, 1);
@@ -505,7 +505,7 @@ TEST_F(KeptRows, BeginAnewBehindCheckpointsThatAreNotComplete) {
     EXPECT_EQ(newest().at(0).number, 8U);
 }
 
-// An error is that of the rank that has met it, whatever others have heard of it.
+// The reported error is that of the rank in which it occurred, whatever the other ranks report.
 TEST(Ranks, ThrowTheErrorOfTheRankThatHasMetIt) {
     const auto work = [](Exchange& exchange) {
         SharedWork shared(exchange);
@@ -529,7 +529,7 @@ std::uint64_t virtual_pages() {
     return pages;
 }
 
-/// How a program ends that has no memory for the stacks of many threads: 3 where it hears of a limit, with these words.
+/// The exit code of a program without memory for the stacks of many threads: 3 if it reports a limit with these words.
 int end_without_stacks(const std::string& words, const std::function<void()>& work) {
     const pid_t child = fork();
     if (child == 0) {
@@ -560,7 +560,7 @@ TEST(Ranks, EndWhereAThreadCannotBeStarted) {
     EXPECT_EQ(end_without_stacks("200 threads cannot be started", [&] { as_ranks(200, work); }), 3);
 }
 
-// The other program hears of it, and both leave together.
+// The other program is notified, and both leave together.
 TEST(Ranks, EndTogetherWhereAThreadOfAProgramCannotBeStarted) {
     const auto work = [](Exchange& exchange) { exchange.sum({}); };
     const auto as_two_programs = [&] {
@@ -589,7 +589,8 @@ TEST(RowFilters, HaveWhatWasAddedAndLittleElse) {
         for (const std::uint64_t hash : hashes) ASSERT_TRUE(filter.may_have(hash));
         int wrong = 0;
         for (int i = 0; i < 50'000; ++i) wrong += filter.may_have(random()) ? 1 : 0;
-        // In each of some two buckets, 7.6 are compared of 4 bits and of one (53 in seven parts), 0.8 of 16.
+        // A lookup compares the entries of about two buckets: 7.6 each with 4 bits and with 1 bit (53 in seven parts),
+        // 0.8 with 16 bits.
         const int least = bits == 1 ? 45'000 : bits == 4 ? 10'000 : 0;
         const int most = bits == 1 ? 50'000 : bits == 4 ? 35'000 : bits == 16 ? 5 : 1;
         EXPECT_GE(wrong, least);
@@ -599,8 +600,9 @@ TEST(RowFilters, HaveWhatWasAddedAndLittleElse) {
     }
 }
 
-// By the size of a row: 32 bits take 64 bytes for 14 rows in 49 parts, 19 of 20 places taken; 24, 16 and 8 the same for
-// 18 in 45, 28 in 35, 56 in 7. With 24 of eleven thousand hardly one is taken for another, of ten million half a one.
+// The size of an entry depends on the number of rows. With 32 bits, 64 bytes store 14 rows in 49 parts, and 19 of 20
+// places are used; with 24, 16 and 8 bits, they store 18 rows in 45, 28 in 35 and 56 in 7 parts. With 24 bits, 11,000
+// rows have almost no false positive; with 10 million rows there is half a one on average.
 TEST(RowFilters, KeepFewerBitsWhereMemoryIsShort) {
     RowFilter filter(32, 64'000);
     const std::tuple<std::uint64_t, double, double> expected[] = {

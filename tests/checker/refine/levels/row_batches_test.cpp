@@ -1,4 +1,4 @@
-// Rows on their way to other ranks, and which of them need not be sent again.
+// Rows that are sent to other ranks, and the filter of rows that need not be sent again.
 #include "checker/refine/levels/row_batches.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace robochart::refine {
 namespace {
 
-/// More than a message has space for at first, in two rounds; in the second one only one rank sends.
+/// More rows than the initial capacity of a message, in two rounds; in the second round only one rank sends.
 TEST(RowBatches, BringEveryRowWithWhetherATauLedToIt) {
     constexpr lts::Word count = 1000;
     as_ranks(3, [](Exchange& exchange) {
@@ -44,7 +44,7 @@ TEST(RowBatches, BringEveryRowWithWhetherATauLedToIt) {
     });
 }
 
-/// Of two rows with one and the same hash neither is taken for the other.
+/// Two rows with the same hash are not confused.
 TEST(SentRows, CompareRowsAsAWhole) {
     SentRows sent(2);
     constexpr std::uint64_t hash = 12345;

@@ -1,5 +1,5 @@
-// Rows put aside: each is given, with the least of its levels first, however many there are; and none is lost where the
-// disk is full.
+// Rows that are set aside: each is returned with its lowest level first, for any number of rows, and none is lost if
+// the disk is full.
 #include "checker/refine/levels/rows_aside.hpp"
 
 #include <gtest/gtest.h>
@@ -19,13 +19,13 @@ using Row = std::vector<Word>;
 
 class AsideRows : public testing::Test {
 protected:
-    /// Adds one that was chosen at random. Of those added again the first level counts, as levels ascend.
+    /// Adds a random row. For a repeated row the first level counts, because levels ascend.
     void add(Level level) {
         const Row row{static_cast<Word>(random_() % 20), static_cast<Word>(random_() % 50)};
         aside_.add(row, lts::StateStore::hash(row), level);
         added_.emplace(row, level);
     }
-    /// What the pieces give, each of them in order.
+    /// The rows that the pieces return, in the order of each piece.
     [[nodiscard]] std::map<Row, Level> given() const {
         std::map<Row, Level> all;
         aside_.each_piece([&](const std::vector<Word>& rows) {

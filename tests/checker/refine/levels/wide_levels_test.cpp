@@ -1,4 +1,4 @@
-// Levels of several blocks: rows that are met again are found in whichever block they are.
+// Levels of several blocks: rows that are reached again are found in each block.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -17,7 +17,8 @@ void enter(RowStore& store, const Row& row) {
     store.enter(row, lts::StateStore::hash(row));
 }
 
-// Many rows of a level are met again in the next one, in all blocks of it; none of them is new, and none rolls back.
+// Many rows of a level are reached again in the next level, from all its blocks. None of them is new, and none causes a
+// rollback.
 TEST(WideLevels, HaveRowsInAllTheirBlocks) {
     for (const std::size_t width : {2U, 3U, 5U}) {
         std::string error;

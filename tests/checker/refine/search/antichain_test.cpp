@@ -1,5 +1,5 @@
-// Antichains against the search of all pairs, on random nondeterministic systems; and a specification whose normal form
-// nobody could make.
+// Antichains compared with the search of all pairs, on random nondeterministic systems, and a specification whose
+// normal form is too large to build.
 #include "checker/refine/search/antichain.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ Graph random_graph(std::mt19937& random, std::size_t states, unsigned taus) {
 }
 
 struct Answer {
-    std::optional<std::size_t> steps;  ///< of the violation, a forbidden event included
+    std::optional<std::size_t> steps;  ///< length of the violation, including a forbidden event
     std::size_t pairs = 0;
 };
 
@@ -80,7 +80,7 @@ TEST(Antichains, GiveTheShortestViolationsOfAllPairs) {
     EXPECT_GT(saved, 200);
 }
 
-/// Any word of a and b; after the k-th last letter was a, by guess, the end.
+/// Accepts words of a and b, guesses that the k-th last letter was a, and then ends.
 Graph kth_last_letter(lts::StateIndex k) {
     constexpr Event a = process::first_visible;
     Graph graph;
@@ -96,7 +96,8 @@ Graph kth_last_letter(lts::StateIndex k) {
     return graph;
 }
 
-/// Another thread may ask for the node that one was refused: it gets no number that belongs to none.
+/// Another thread may request the same node after the limit refused it. It must be refused again, and must not get a
+/// number without a node.
 TEST(NormalForms, RefuseANodeBeyondTheLimitEachTime) {
     const process::EventTable table;
     const Graph graph = kth_last_letter(16);

@@ -1,4 +1,4 @@
-// Parents in two bits a state, against a plain list of parents.
+// Parents in two bits per state, compared with a plain list of parents.
 #include "checker/refine/search/parent_index.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ TEST(ParentIndex, RemembersTheParentOfEveryState) {
     ParentIndex index;
     std::vector<lts::StateIndex> parents{lts::no_state};
     for (lts::StateIndex state = 0; state < 40000; ++state) {
-        // Long stretches without children, others with many, always someone left to expand.
+        // Long stretches of states without children, others with many; there is always a state left to expand.
         std::uint32_t found = state % 1000 < 700 ? 0 : static_cast<std::uint32_t>(random() % 8);
         if (state + 1 == parents.size()) found += 150;
         index.expanded(found);

@@ -1,4 +1,4 @@
-// Cycles of taus, against reachability worked out edge by edge.
+// Tau cycles compared with reachability, computed edge by edge.
 #include "checker/refine/search/tau_cycle.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ std::vector<StateIndex> all(const Edges& edges) {
     return vertices;
 }
 
-/// The length of the shortest way from a vertex back to itself, 0 if there is none.
+/// The length of the shortest path from a vertex to itself, 0 if there is none.
 std::size_t way_back(const Edges& edges, StateIndex vertex) {
     std::vector<bool> reached(edges.size(), false);
     std::vector<StateIndex> level{vertex};
@@ -84,7 +84,7 @@ TEST(TauCycle, AgreesWithReachability) {
     EXPECT_GT(without, 200);
 }
 
-/// A path too long for recursion, and no edge to follow but those that an entrance leads to.
+/// A path that is too long for recursion. Only edges that lead to an entry of a possible cycle are followed.
 TEST(TauCycle, LooksOnlyWhereABackwardEdgeLeads) {
     constexpr StateIndex size = 1'000'000;
     std::size_t asked = 0;

@@ -1,5 +1,5 @@
 // Verdicts, counterexamples and figures are the same for any number of threads. Every level counts as wide here, so all
-// threads work on systems that one would finish alone.
+// threads take part in small systems too.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -14,16 +14,16 @@ using lts::Edge;
 using lts::Graph;
 using process::Event;
 
-constexpr Event events = 5;  // beside tau and tick
+constexpr Event events = 5;  // in addition to tau and tick
 
-/// Mostly wide and shallow; `stuck` of a thousand states do nothing.
+/// Mostly wide and shallow; `stuck` of a thousand states have no transitions.
 Graph random_graph(std::mt19937& random, std::size_t states, unsigned taus, unsigned stuck) {
     Graph graph;
     for (std::size_t state = 0; state < states; ++state) {
         const std::size_t edges = state != 0 && random() % 1000 < stuck ? 0 : 2 + random() % 6;
         for (std::size_t i = 0; i < edges; ++i) {
             const bool by_tau = random() % 100 < taus;
-            // Taus go forward, most of them, so that cycles of taus are rare and long.
+            // Most taus lead forward, so that tau cycles are rare and long.
             const std::size_t ahead = state + 1 < states && random() % 500 != 0
                                           ? state + 1 + random() % (states - state - 1)
                                           : random() % states;
@@ -81,7 +81,7 @@ TEST_F(Threads, ChangeNothing) {
     std::mt19937 random(5);
     for (int round = 0; round < 12; ++round) {
         const std::size_t size = 20 + random() % 4000;
-        Graph specification;  // everything but, now and then, one event
+        Graph specification;  // allows everything but, in some states, one event
         const Event allowed = events - (round % 3 == 0 ? 1 : 0);
         for (Event event = 0; event < allowed; ++event) specification.add_edge({process::first_visible + event, 0});
         specification.finish_state();

@@ -1,4 +1,4 @@
-// Single verdicts that the models' definitions decide by hand, and what the counterexamples say.
+// Single verdicts that follow from the models' definitions by hand, and the contents of counterexamples.
 #include "checker/refine/verdict/check.hpp"
 #include "checker/process/bisimulation_compressor.hpp"
 #include "checker/process/term_system.hpp"
@@ -62,7 +62,7 @@ TEST_F(Checks, TheModelsDifferWhereTheyShould) {
     EXPECT_TRUE(holds(either(a, b), a_or_b, FD));
     EXPECT_TRUE(holds(a_or_b, stop, T));
     EXPECT_FALSE(holds(a_or_b, stop, F));
-    EXPECT_TRUE(holds(stop, div, F));  // F sees only stable refusals
+    EXPECT_TRUE(holds(stop, div, F));  // only stable refusals count in F
     EXPECT_FALSE(holds(stop, div, FD));
     EXPECT_TRUE(holds(div, a_or_b, FD));  // everything refines divergence
     EXPECT_FALSE(holds(div, a_or_b, F));
@@ -74,14 +74,14 @@ TEST_F(Checks, NothingBelowADivergenceOfTheSpecificationMatters) {
     EXPECT_TRUE(holds(specification, s.prefix("a", b), FD));
     EXPECT_FALSE(holds(specification, s.prefix("b", b), FD));
     EXPECT_FALSE(holds(specification, s.prefix("a", b), T));
-    // After a the specification may diverge although it may also stop: that is divergence.
+    // After a the specification may diverge or stop; in FD it then allows everything.
     EXPECT_TRUE(holds(s.prefix("a", either(stop, div)), s.prefix("a", b), FD));
 }
 
 TEST_F(Checks, TerminationIsAutonomous) {
     EXPECT_TRUE(holds(either(skip, stop), skip, FD));
     EXPECT_FALSE(holds(skip, stop, F));
-    EXPECT_FALSE(holds(stop, skip, T));                                     // tick is an event of the traces
+    EXPECT_FALSE(holds(stop, skip, T));                                     // ✓ is an event in traces
     EXPECT_TRUE(holds(choice(a, skip), skip, FD));                          // P [] SKIP may end by itself, refusing a
     EXPECT_TRUE(holds(choice(a, skip), s.op(Op::sliding, {a, skip}), FD));  // UCS: P [] SKIP = P [> SKIP
     EXPECT_TRUE(holds(s.op(Op::sliding, {a, skip}), choice(a, skip), FD));
@@ -204,7 +204,7 @@ protected:
     TermId compressed(TermId term, Compression kind) {
         return s.op(Op::compress, {term}, static_cast<std::uint32_t>(kind));
     }
-    /// Twelve independent cycles of two events, all hidden but the first one's.
+    /// Twelve independent cycles of two events, all hidden except the first.
     TermId wide() {
         std::vector<TermId> parts;
         std::vector<std::string> hidden;
@@ -225,7 +225,7 @@ TEST_F(CompressedChecks, ACompressedProcessIsSmallAndKeepsItsNames) {
     EXPECT_EQ(divergence_free(whole, limits).statistics.states, 4096U);
     const Verdict verdict = divergence_free(small, limits);
     EXPECT_EQ(verdict.outcome, Outcome::holds);
-    EXPECT_LE(verdict.statistics.states, 2U);  // it only does p0 for ever
+    EXPECT_LE(verdict.statistics.states, 2U);  // it only repeats p0
     process::TermSystem nothing(compressing, stop);
     const Verdict wrong = refines(nothing, small, T, limits);
     ASSERT_EQ(wrong.outcome, Outcome::fails);
@@ -259,7 +259,7 @@ TEST_F(Checks, FaultsOfEvaluationPass) {
                  process::SemanticsError);
 }
 
-// Sizes where a quadratic search would not end: one long tau path, and a cycle through all of it.
+// Sizes for which a quadratic search would take too long: a long tau path, and a cycle through all its states.
 TEST_F(Checks, DivergenceIsFoundInLinearTime) {
     constexpr int length = static_cast<int>(tests::rounds(8000));
     TermId line = stop;

@@ -1,4 +1,4 @@
-// Findings come back as they were written, and bytes that are no findings do not.
+// Findings are decoded as they were encoded, and other bytes are rejected.
 #include "checker/refine/verdict/findings.hpp"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ TEST(FindingsTest, OtherBytesAreNone) {
     EXPECT_FALSE(decode(bytes, named, width + 1));
     EXPECT_FALSE(decode(bytes, {0, 1, 7}, width)) << "an event without a name";
     std::string wrong_kind = bytes;
-    wrong_kind[7 * 8] = 99;  // behind seven figures: whether there is a violation
+    wrong_kind[7 * 8] = 99;  // after seven figures: whether there is a violation
     EXPECT_FALSE(decode(wrong_kind, named, width));
     std::string endless = bytes;
     for (std::size_t i = 11 * 8; i < 12 * 8; ++i) endless[i] = '\xff';

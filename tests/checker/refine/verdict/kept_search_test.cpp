@@ -1,5 +1,5 @@
-// Checks whose searches are kept in a folder: the answers, figures and runs of searches by levels in memory; after
-// kills at any moment; and refusals where the folder is another's.
+// Checks whose searches are stored in a folder: same answers, figures and counterexamples as level searches in memory,
+// also after kills at any time; and rejection of folders that belong to other runs.
 #include "checker/refine/verdict/kept_search.hpp"
 
 #include <fcntl.h>
@@ -26,13 +26,13 @@
 
 namespace {
 
-/// Whether the file system has locks.
+/// Whether the file system supports locks.
 bool has_locks = true;
 
 }  // namespace
 
-/// Locks as NFS has them (flock(2), "NFS details"): one that excludes others wants a file that is open for writing, and
-/// other machines see nothing of locks of folders.
+/// Locks as on NFS (flock(2), "NFS details"): an exclusive lock needs a file that is open for writing, and locks of
+/// folders are not visible to other machines.
 extern "C" int flock(int file, int operation) noexcept {
     struct stat found {};
     (void)::fstat(file, &found);
@@ -51,7 +51,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-/// Levels of thousands of states; a deadlock at the end of them, or a cycle of taus, or neither.
+/// Levels of thousands of states, with a deadlock at the end, a tau cycle, or neither.
 lts::Graph wide_graph(unsigned seed, bool deadlock, bool divergence) {
     std::mt19937 random(seed);
     lts::Graph graph;
@@ -140,7 +140,7 @@ protected:
     diagnostics::TemporaryFolder folder_{"", error_};
     std::vector<Asked> asked_;
     ThreadRanks threads_{1};
-    std::uint64_t rolled_back_ = 0;  ///< of all searches decided
+    std::uint64_t rolled_back_ = 0;  ///< over all searches
 };
 
 TEST_F(KeptSearches, HaveTheAnswersOfThoseInMemory) {
@@ -290,7 +290,7 @@ TEST_F(KeptSearches, LeaveTheFilesOfOthersAlone) {
     EXPECT_FALSE(fs::exists(kept() + "/finished-search-0123456789abcdef"));
 }
 
-// Killed before the folder had its first file, a run leaves that file under another name.
+// If a run is killed before it has created the folder's first file, this file still has its temporary name.
 TEST_F(KeptSearches, TakeAFolderThatAKilledRunHasBegun) {
     const std::string left = kept() + "/.robochart-0123456789abcdef";
     fs::create_directories(kept());
@@ -310,7 +310,7 @@ TEST_F(KeptSearches, LeaveNothingWhereNothingWasAsked) {
     EXPECT_FALSE(fs::exists(kept()));
 }
 
-// Answers are needed until the verb says that all is decided.
+// Answers are needed until the verb reports that all questions are decided.
 TEST_F(KeptSearches, KeepAnswersWhereAQuestionIsOpen) {
     const auto decided = [&](KeptSearch& search) {
         search.begin_question("holds");
@@ -326,7 +326,7 @@ TEST_F(KeptSearches, KeepAnswersWhereAQuestionIsOpen) {
         KeptSearch search(settings(true, false), threads_);
         EXPECT_EQ(search.answers()->find(digest("holds")), "yes");
         decided(search);
-        search.begin_question("other");  // and is never identified
+        search.begin_question("other");  // and is never given a digest
         search.all_asked();
     }
     KeptSearch search(settings(true, false), threads_);
@@ -342,7 +342,7 @@ TEST_F(KeptSearches, KeepAnswersWhereAQuestionIsOpen) {
     EXPECT_FALSE(fs::exists(kept()));
 }
 
-// What was searched is all that is left of an answer that was not kept.
+// If an answer was not saved, only its search remains.
 TEST_F(KeptSearches, KeepTheSearchOfAnAnswerThatIsNot) {
     const auto searches = [&] {
         std::size_t count = 0;
@@ -398,7 +398,7 @@ TEST_F(KeptSearches, SayWhereTheFileSystemHasNoLocks) {
     EXPECT_EQ(decide(search), in_memory());
 }
 
-// A run that has removed the folder's lock has ended with it: a lock on what is no longer there is none.
+// A run that removed the folder's lock file has ended: a lock on a removed file does not count.
 TEST_F(KeptSearches, LockTheFileThatIsThere) {
     const std::string path = folder_.path() + "/lock";
     const diagnostics::Descriptor before = storage::open_to_lock(path, true);

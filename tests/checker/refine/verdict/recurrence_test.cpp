@@ -1,4 +1,4 @@
-// AG EF of an event: by hand, and for random processes against a forward search from each state.
+// AG EF of an event: by hand, and for random processes compared with a forward search from each state.
 #include "checker/refine/verdict/recurrence.hpp"
 
 #include <gmock/gmock.h>
@@ -57,7 +57,7 @@ TEST_F(Recurrence, WhatHappensOnceCannotComeAgain) {
     EXPECT_EQ(decided(once, {"a", "b"}).outcome, Outcome::holds) << "one of several suffices";
 }
 
-/// Two ways to lose it, after three steps and after two: the nearer one is shown.
+/// The goal can be lost after two and after three steps: the counterexample shows the shorter path.
 TEST_F(Recurrence, TheNearestLossIsShown) {
     const TermId home = s.name("Home");
     const auto back_or = [&](const std::string& event, TermId target) {
@@ -69,8 +69,8 @@ TEST_F(Recurrence, TheNearestLossIsShown) {
     EXPECT_THAT(run_of(verdict), ElementsAre("c", "d"));
 }
 
-/// It is enough that some run leads there, whoever makes the internal choices; and a choice that has been made the
-/// wrong way is a loss.
+/// It is enough that some run reaches the goal, whoever resolves the internal choices. A wrong internal choice that
+/// excludes the goal is a loss.
 TEST_F(Recurrence, InternalStepsCount) {
     const TermId good = s.name("Good");
     const TermId rest = s.name("Rest");

@@ -1,5 +1,5 @@
-// The reference checks the engine: what the engine invents is detected, and where it differs the reference's run is
-// reported. And the firing rules read backwards: every step of every operator has a derivation.
+// The reference checks the engine: it detects invented counterexamples and reports its own run if the engine differs.
+// The inverse firing rules give every step of every operator a derivation.
 #include "checker/refine/verdict/reference.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ protected:
     process::OperationalSemantics semantics{s.store};
     Limits limits;
 
-    /// An engine that runs one process and is checked by another.
+    /// Runs one process in the engine and another one in the reference.
     Verdict deadlock_of(TermId engine, TermId reference) {
         process::TermSystem system(semantics, engine);
         system.set_reference(std::make_shared<process::TermSystem>(semantics, reference));
@@ -77,7 +77,7 @@ TEST_F(Reference, DivergencesAndRefusalsAreComparedWithIt) {
     EXPECT_THROW((void)refuses(s.stop(), s.prefix("a", s.stop())), std::logic_error);
 }
 
-/// Each move of a derivation is a transition of that operand, and what is left is what the moves lead to.
+/// Each move of a derivation is a transition of its operand, and the moves lead to the target of the step.
 void check_derivations(Translation& translation, TermId state) {
     process::OperationalSemantics& semantics = translation.semantics();
     const process::Term term = semantics.terms()[state];

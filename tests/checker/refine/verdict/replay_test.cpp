@@ -1,4 +1,4 @@
-// The replay must find out a checker that lies.
+// The replay detects a checker that reports a wrong counterexample.
 #include "checker/refine/verdict/replay.hpp"
 #include "checker/process/term_system.hpp"
 
