@@ -1,5 +1,5 @@
-// The founding paper's two case studies with generated controllers: ten trials of twenty robots keep to the bands, and
-// broken controllers do not. The bands come from hand-written controllers in Enki and ARGoS.
+// The founding paper's two case studies with generated controllers: ten trials of twenty robots stay within the bands,
+// and faulty controllers do not. The bands come from hand-written controllers in Enki and ARGoS.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ TEST(Aggregation, OneClusterInAllTenTrials) {
     expect_held(aggregation_model(), aggregation_scenario());
 }
 
-/// Trials of a scenario of the aggregation study at a point of what it varies.
+/// Trials of a scenario of the aggregation study at one point of its sweep.
 RunResult at_point(const std::string& name, double value, std::uint32_t trials) {
     Experiment experiment(aggregation_model(), read_file(corpus + "aggregation/" + name));
     experiment.scenario = scenario_at(experiment.scenario, {value});
@@ -63,13 +63,15 @@ RunResult at_point(const std::string& name, double value, std::uint32_t trials) 
     return experiment.run();
 }
 
-/// Daymude, Harasha, Richa and Yiu, SSS 2021: without errors no trial packs a symmetric ring, small errors free it.
+/// Daymude, Harasha, Richa and Yiu, SSS 2021: without errors a symmetric ring never becomes compact; with small errors
+/// it does.
 TEST(Aggregation, ASymmetricStartNeedsErrors) {
     EXPECT_EQ(at_point("symmetric.scenario", 0, 1).claims.at(0).successes, 0U);
     EXPECT_GE(at_point("symmetric.scenario", 0.1, 20).claims.at(0).successes, 15U);
 }
 
-/// Bjerknes and Winfield: at least nine of ten still work with p^10 + 10 p^9 (1 - p), jointly within the intervals.
+/// Bjerknes and Winfield: at least nine of ten robots still work with probability p^10 + 10 p^9 (1 - p), which is
+/// within the joint intervals.
 TEST(Aggregation, ReliabilityIsThatOfTheFormula) {
     constexpr double error = 0.01 / 5;
     for (const double mean : {60.0, 120.0, 240.0, 480.0, 960.0}) {
@@ -129,7 +131,7 @@ TEST(SwarmTaxis, WithoutCoherenceFails) {
     expect_broken(replaced(taxis_model(), "25", "25000"), taxis_scenario());
 }
 
-/// tests_enki is built where Enki is; continuous integration must not lose it without a word.
+/// tests_enki is built if Enki is installed; in continuous integration its absence must be noticed.
 TEST(CaseStudies, AreRunInEnkiToo) {
     ROBOCHART_NEEDS(ROBOCHART_TESTS_ENKI, "Enki (Debian: libenki-dev) for tests_enki");
 }
@@ -148,7 +150,7 @@ TEST(CaseStudies, ResultsDoNotDependOnThreads) {
     EXPECT_NE(one.trials[0].frames.back().poses[0].at, one.trials[1].frames.back().poses[0].at) << "seeds differ";
 }
 
-/// The paper's figures: after 0, 20, 40 and 60 seconds, states recorded with the positions.
+/// The paper's figures show 0, 20, 40 and 60 seconds; the recorded states belong to the recorded positions.
 TEST(CaseStudies, FramesAreKeptAtThePicturesTimes) {
     Experiment experiment(aggregation_model(), replaced(aggregation_scenario(), "record 0.5 s", "record 7 s"));
     const RunResult result = experiment.run();

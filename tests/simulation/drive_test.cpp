@@ -1,4 +1,4 @@
-// The interface for simulators carries values of every generated type to the controller and back.
+// The interface for simulators passes values of every generated type to the controller and back.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,7 +60,7 @@ protected:
         ADD_FAILURE() << name;
         return 0;
     }
-    /// One cycle with one input; what came out.
+    /// Runs one cycle with one input; returns the value of an output.
     rc_value step(const std::string& in, rc_value value, const std::string& out) {
         for (rc_signal& signal : signals_) signal.present = 0;
         signals_[input(in)] = {1, 0, value};
@@ -124,7 +124,7 @@ TEST(Drive, BearsAnyNameOfTheModelsFile) {
     EXPECT_STREQ(controller->drive().place_of(one[0]), "Echo::i (a \"strange\\ name.rct:13)");
 }
 
-/// One machine stays, the other goes on with the event, into the inner state of a composite one.
+/// One machine keeps its state; with the event, the other goes to the inner state of a composite state.
 TEST(Drive, ShowsTheStateOfEachMachine) {
     Experiment experiment(R"(
 interface Events { event go }
@@ -164,7 +164,7 @@ module Robot {
     EXPECT_EQ(machines[1].state(last.state(0, 1)), "Going::Fast");
 }
 
-/// Each of the robots draws its own way, each trial draws others, and a run that is repeated the same.
+/// Each robot and each trial draws other alternatives, and a repeated run draws the same ones.
 TEST(Drive, RobotsDrawTheirWays) {
     Experiment experiment(R"(
 stm Coin {
@@ -203,7 +203,7 @@ stm Coin {
     EXPECT_NE(first, heads(2));
 }
 
-/// Events that nothing feeds are reported (RC-M14); a number feeds nat by a stimulus.
+/// Events without a source are reported (RC-M14); a stimulus can provide a number for a nat.
 TEST_F(Echo, ScenarioIsBoundWithWarnings) {
     EXPECT_EQ(experiment_.codes(), "RC-M14 RC-M14 RC-M14 RC-M14") << experiment_.messages();
 }

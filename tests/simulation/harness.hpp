@@ -1,4 +1,4 @@
-// A model and a scenario as texts, read, bound, built and run, for tests.
+// Parses, binds, builds and runs models and scenarios that are given as texts.
 #pragma once
 
 #include <memory>
@@ -14,15 +14,15 @@
 namespace robochart::simulation::testing {
 
 std::string read_file(const std::string& path);
-/// Every occurrence; fails the test if there is none.
+/// Replaces every occurrence; fails the test if there is none.
 std::string replaced(std::string text, const std::string& what, const std::string& with);
 
-/// The case studies' models, each with one thing wrong: they fail the paper's claims in every simulator.
+/// The case studies' models with one fault each: they fail the paper's claims in every simulator.
 std::vector<std::string> broken_aggregation(const std::string& model);
 std::vector<std::string> broken_taxis(const std::string& model);
 
 struct Experiment {
-    /// `others`: the models of the scenario's other kinds of robots, and of its environment.
+    /// `others`: the models of the scenario's other kinds of robots and of its environment.
     Experiment(const std::string& model, const std::string& scenario, const std::string& model_path = "model.rct",
                const std::vector<std::string>& others = {});
 

@@ -1,4 +1,5 @@
-// Tails against exact fractions, bounds against their definition and closed forms, coverage summed over every outcome.
+// Tail probabilities compared with exact fractions, bounds compared with their definition and closed forms, and
+// coverage summed over every outcome.
 #include "statistics/binomial.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,7 @@ TEST(Binomial, TailsAreTheExactOnes) {
 }
 
 TEST(Binomial, ManyTrials) {
-    // Symmetric: P(X >= n/2) = 1/2 + P(X = n/2)/2, and P(X = n/2) is 1/sqrt(pi n/2) but for a factor 1 - 1/(4n).
+    // By symmetry P(X >= n/2) = 1/2 + P(X = n/2)/2, and P(X = n/2) is 1/sqrt(pi n/2) up to a factor 1 - 1/(4n).
     const double n = 1e8;
     EXPECT_NEAR(at_least(50'000'000, 100'000'000, 0.5), 0.5 + 0.5 / std::sqrt(M_PI * n / 2), 1e-9);
     EXPECT_NEAR(at_most(50'000'000, 100'000'000, 0.5), 0.5 + 0.5 / std::sqrt(M_PI * n / 2), 1e-9);
@@ -50,7 +51,7 @@ TEST(Binomial, Ends) {
     EXPECT_EQ(clopper_pearson(0, 0, 0.05), (Interval{0, 1}));
 }
 
-/// Without a failure L^n = error, without a success (1 - U)^n = error.
+/// Without a failure L^n = error; without a success (1 - U)^n = error.
 TEST(ClopperPearson, AllOrNone) {
     for (const std::uint64_t n : {1U, 59U, 299U, 2995U}) {
         const double root = std::pow(0.025, 1 / static_cast<double>(n));
@@ -64,7 +65,7 @@ TEST(ClopperPearson, AllOrNone) {
     EXPECT_GT(upper_bound(0, 58, 0.05), 0.05);
 }
 
-/// Tight, and never on the wrong side.
+/// The bounds are tight and never on the wrong side.
 TEST(ClopperPearson, TheTailAtABoundIsTheError) {
     for (const std::uint64_t n : {1U, 10U, 77U, 1000U, 100'000U})
         for (const double share : {0.001, 0.1, 0.5, 0.93, 1.0})
@@ -78,7 +79,7 @@ TEST(ClopperPearson, TheTailAtABoundIsTheError) {
             }
 }
 
-/// Over every outcome: at least nominal wherever the true probability lies.
+/// The coverage, summed over every outcome, is at least nominal for every true probability.
 TEST(ClopperPearson, CoversAtLeastAsOftenAsItSays) {
     for (const double error : {0.05, 0.01})
         for (const std::uint64_t n : {1U, 5U, 20U, 59U, 200U}) {

@@ -1,4 +1,4 @@
-// Counts by hand, intervals against those of Clopper and Pearson, the radius against its formula, coverage.
+// Counts by hand, intervals compared with Clopper and Pearson's, the radius compared with its formula, and coverage.
 #include "statistics/chains.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(TransitionCounts, TakesAllVisits) {
     EXPECT_EQ(counts.looked(0), 0U) << "the first look is after sixteen";
 }
 
-/// Sixteen visits, then twenty-four, half as many more.
+/// Looks are after sixteen visits, then after twenty-four: each has half as many more.
 TEST(TransitionCounts, LooksAtFixedNumbers) {
     TransitionCounts counts(2);
     for (int i = 0; i < 20; ++i) counts.add({0, i < 16 ? 0U : 1U});
@@ -42,7 +42,7 @@ TEST(TransitionIntervals, ErrorIsDividedAndNothingUnseenIsImpossible) {
     TransitionCounts counts(2);
     for (int i = 0; i < 20; ++i) counts.add({0, 0});
     const auto intervals = transition_intervals(counts, all_permitted(2), 0.04);
-    // Four transitions share the error, of which the first look takes a half.
+    // Four transitions share the error, and the first look uses half of each share.
     EXPECT_EQ(intervals[0][0], clopper_pearson(16, 16, 0.005));
     EXPECT_EQ(intervals[0][1], clopper_pearson(0, 16, 0.005));
     EXPECT_GT(intervals[0][1].high, 0);
@@ -69,7 +69,7 @@ TEST(Weissman, IsTheFormula) {
     EXPECT_EQ(weissman_radius(4, 1, 0.01), 2);
 }
 
-/// The ball misses the distribution in at most the share that it may.
+/// The share of repetitions in which the ball misses the distribution is at most the error.
 TEST(Weissman, Covers) {
     std::mt19937_64 random(1);
     std::discrete_distribution<std::size_t> draw{0.5, 0.3, 0.2};
@@ -94,7 +94,8 @@ TEST(Validation, CanFail) {
 
 // ---------------------------------------------------------------- the order of a chain
 
-/// A state that is kept with these chances: after an equal one, and after another.
+/// Sequences in which the state is kept with one probability after an equal predecessor, and with another after a
+/// different one.
 StateSequence remembering(double after_equal, double after_other, std::mt19937_64& random) {
     std::uniform_real_distribution<double> draw(0, 1);
     StateSequence sequence{0, 0};
@@ -106,8 +107,8 @@ StateSequence remembering(double after_equal, double after_other, std::mt19937_6
     return sequence;
 }
 
-/// The error is divided among the permitted triples, and of each part look k takes 1 / (k (k + 1)). State 2 alone has
-/// two successors, and two states may stand before it: four triples. Where all is permitted there are 27.
+/// The error is divided among the permitted triples, and look k uses 1 / (k (k + 1)) of each part. Only state 2 has two
+/// successors, and two states may precede it: four triples. If everything is permitted there are 27.
 TEST(Order, DividesTheErrorAmongWhatIsPermitted) {
     const Permitted holes{{false, false, true}, {false, false, true}, {true, true, false}};
     EXPECT_EQ(order_triples(holes), 4);
@@ -132,7 +133,7 @@ TEST(Order, DividesTheErrorAmongWhatIsPermitted) {
     expect(found(16, all_permitted(3)), 16, 0.1 / (27 * 1 * 2));
 }
 
-/// A run's limits reach it, and it does not take the cube of the states where few are seen.
+/// The limits of a run apply, and the memory does not grow with the cube of the number of states if few states occur.
 TEST(Order, Polls) {
     std::vector<StateSequence> all(200, {0, 2, 0});
     all.insert(all.end(), 200, {1, 2, 1});
@@ -143,7 +144,7 @@ TEST(Order, Polls) {
                  std::runtime_error);
 }
 
-/// Of 200 repetitions with a chain of order 1 at most a tenth is contradicted, and each of order 2.
+/// In 200 repetitions, at most a tenth of the chains of order 1 are contradicted, and all chains of order 2 are.
 TEST(Order, IsContradictedWhereTheStateBeforeMatters) {
     std::mt19937_64 random(7);
     int wrong = 0;
@@ -156,13 +157,13 @@ TEST(Order, IsContradictedWhereTheStateBeforeMatters) {
         ASSERT_TRUE(found);
         EXPECT_LT(found->after_less.high, found->after_more.low);
         EXPECT_NE(found->less, found->more);
-        // It stays after an equal one more often than after another.
+        // It is kept more often after an equal predecessor than after a different one.
         EXPECT_EQ(found->more == found->state, found->next == found->state);
     }
     EXPECT_LE(wrong, 20);
 }
 
-/// Before sixteen visits of two pairs with one middle state nothing is said.
+/// Two pairs with the same middle state need sixteen visits each before an answer.
 TEST(Order, IsNotContradictedByFewVisits) {
     const std::vector<StateSequence> few(15, {0, 2, 0});
     std::vector<StateSequence> all = few;

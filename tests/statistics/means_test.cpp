@@ -1,4 +1,4 @@
-// Quantiles against tables, the bound of Hoeffding by sums over every outcome.
+// Quantiles compared with tables, and Hoeffding's bound checked by sums over every outcome.
 #include "statistics/means.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace robochart::statistics {
 namespace {
 
-/// Hoeffding's bound: the mean of n samples misses by more than epsilon with probability at most delta.
+/// Hoeffding's bound: the mean of n samples is off by more than epsilon with probability at most delta.
 TEST(Means, TheBoundOfHoeffdingHolds) {
     EXPECT_EQ(hoeffding_samples(0.05, 0.01), 1060);  // ln(200) / 0.005 = 1059.66...
     EXPECT_LE(hoeffding_epsilon(1060, 0.01), 0.05);
@@ -25,8 +25,8 @@ TEST(Means, TheBoundOfHoeffdingHolds) {
     }
 }
 
-/// Values of the tables of the distributions (Abramowitz and Stegun, Handbook of Mathematical Functions, 1964, 26.1 and
-/// 26.10).
+/// Values from the tables of the distributions (Abramowitz and Stegun, Handbook of Mathematical Functions, 1964, 26.1
+/// and 26.10).
 TEST(Means, Quantiles) {
     EXPECT_NEAR(normal_quantile(0.025), 1.959963985, 1e-8);
     EXPECT_NEAR(normal_quantile(0.005), 2.575829304, 1e-8);

@@ -1,5 +1,5 @@
-// Chances of sequential procedures, calculated exactly: the distribution of the successes among those that go on is
-// carried from trial to trial, and what is decided leaves it.
+// Exact probabilities of sequential procedures: the distribution of the number of successes among undecided runs is
+// carried from trial to trial, and decided runs leave it.
 #include "statistics/sequential.hpp"
 
 #include <gtest/gtest.h>
@@ -11,13 +11,14 @@
 namespace robochart::statistics {
 namespace {
 
-/// What a procedure of at most `most` trials does where each succeeds with probability p. `stops`: does it end after so
-/// many trials with so many successes, and counted as which of the first two entries?
+/// The outcome of a procedure of at most `most` trials if each trial succeeds with probability p. `stops` returns
+/// whether the procedure ends after this many trials with this many successes, and in which of the first two entries to
+/// count it.
 struct Outcome {
     double counted[2] = {0, 0};
     double mean_trials = 0;
 };
-using Stops = std::function<int(std::uint64_t successes, std::uint64_t trials)>;  // -1: goes on
+using Stops = std::function<int(std::uint64_t successes, std::uint64_t trials)>;  // -1: continues
 
 Outcome run(std::uint64_t most, double p, const Stops& stops) {
     Outcome outcome;
@@ -53,15 +54,17 @@ TEST(Sprt, ErrsAtMostAsOftenAsItSays) {
     for (const Sprt& test : {Sprt{0.95, 0.90, 0.01, 0.01}, Sprt{0.5, 0.4, 0.05, 0.01}, Sprt{0.1, 0.02, 0.01, 0.1}}) {
         for (const double p : {test.p0, (1 + test.p0) / 2, 0.999}) EXPECT_LE(run(test, 3000, p).counted[1], test.alpha);
         for (const double p : {test.p1, test.p1 / 2, 0.001}) EXPECT_LE(run(test, 3000, p).counted[0], test.beta);
-        // It nearly uses what it may: a test that never answered would pass the above.
+        // The error that is used is close to the permitted one: a test that never answers would pass the assertions
+        // above.
         EXPECT_GE(run(test, 3000, test.p0).counted[1], test.alpha / 3);
         EXPECT_GE(run(test, 3000, test.p1).counted[0], test.beta / 3);
         EXPECT_GE(run(test, 3000, test.p0).counted[0], 1 - test.alpha - 1e-3);
     }
 }
 
-/// Wald's approximation of the mean number of trials, which leaves out the overshoot: at p0 and p1
-/// (P(at_least) ln(beta) + P(below) ln(1/alpha)) over the mean step of the logarithm of the ratio; at 1 whole steps.
+/// Wald's approximation of the mean number of trials, which ignores the overshoot. At p0 and p1 it is (P(at_least)
+/// ln(beta) + P(below) ln(1/alpha)) divided by the mean step of the log-likelihood ratio; at 1 it is rounded to whole
+/// steps.
 TEST(Sprt, IsAsLongAsWaldSays) {
     const Sprt test{0.95, 0.90, 0.01, 0.01};
     EXPECT_NEAR(run(test, 5000, 0.80).mean_trials, 48, 4.8);
@@ -77,7 +80,8 @@ TEST(Looks, AreAtTheirTimes) {
     for (auto next = looks.next(0); next; next = looks.next(*next)) times.push_back(*next);
     EXPECT_EQ(times, (std::vector<std::uint64_t>{16, 24, 36, 54, 81, 100}));
     EXPECT_EQ(looks.at(5, 17), std::nullopt);
-    // The first takes half of the error, the second a sixth; the last takes what is left: of six looks 1/6.
+    // The first look uses half of the error, the second a sixth; the last look uses the remainder, which is 1/6 for six
+    // looks.
     EXPECT_EQ(looks.at(9, 16), clopper_pearson(9, 16, 0.05 / 2));
     EXPECT_EQ(looks.at(9, 24), clopper_pearson(9, 24, 0.05 / 6));
     EXPECT_EQ(looks.at(90, 100), clopper_pearson(90, 100, 0.05 / 6));
@@ -86,7 +90,7 @@ TEST(Looks, AreAtTheirTimes) {
     EXPECT_EQ(Looks(1, 0.05).next(1), std::nullopt);
 }
 
-/// The chance that the interval of any look misses.
+/// The probability that the interval of some look misses the true value.
 TEST(Looks, TogetherMissAtMostAsOftenAsTheySay) {
     for (const std::uint64_t most : {10U, 100U, 1000U}) {
         const Looks looks(most, 0.05);
@@ -98,7 +102,8 @@ TEST(Looks, TogetherMissAtMostAsOftenAsTheySay) {
             EXPECT_LE(missed, 0.05) << most << " trials, p = " << p;
         }
     }
-    // Not idle: near one half about a tenth of the error is used, as looks are discrete and depend on each other.
+    // The test is not vacuous: near one half about a tenth of the error is used, because looks are discrete and
+    // dependent.
     const Looks looks(1000, 0.05);
     const double missed = run(1000, 0.5, [&](std::uint64_t x, std::uint64_t n) {
                               const auto interval = looks.at(x, n);

@@ -1,4 +1,4 @@
-// Estimates of Kaplan and Meier by hand: shares are products of (1 - d/n), variances sums of d/(n (n - d)).
+// Kaplan-Meier estimates by hand: shares are products of (1 - d/n), variances sums of d/(n (n - d)).
 #include "statistics/survival.hpp"
 
 #include <gtest/gtest.h>
@@ -17,13 +17,13 @@ TEST(Survival, WithoutCensoringItIsTheShareLeft) {
     EXPECT_EQ(median(steps), 2);
 }
 
-/// Six trials: it comes at 1, one is lost at 2, it comes at 3 for two, one is lost at 3 as well, one is left.
+/// Six trials: one event at 1, one trial censored at 2, two events at 3, one trial censored at 3, one trial remains.
 TEST(Survival, WhoIsLostLeavesThoseThatAreAskedLater) {
     const auto steps = survival({{1, true}, {2, false}, {3, true}, {3, true}, {3, false}, {9, false}}, 0.05);
     ASSERT_EQ(steps.size(), 2U);
     EXPECT_DOUBLE_EQ(steps[0].share, 5 / 6.0);
     EXPECT_DOUBLE_EQ(steps[1].share, 5 / 6.0 * (1 - 2 / 4.0));
-    // log(-log S) plus and minus 1.96 deviations of it, sqrt(1/(6 5) + 2/(4 2)) / |log S|.
+    // log(-log S) plus and minus 1.96 of its standard deviations, sqrt(1/(6 5) + 2/(4 2)) / |log S|.
     const double share = steps[1].share;
     const double deviation = std::sqrt(1 / 30.0 + 2 / 8.0) / std::abs(std::log(share));
     const double middle = std::log(-std::log(share));

@@ -1,4 +1,5 @@
-// Fisher's test against tables worked out by hand and its promise summed over every outcome; Holm's adjustment by hand.
+// Fisher's test compared with tables computed by hand, and its error summed over every outcome; Holm's adjustment by
+// hand.
 #include "statistics/two_samples.hpp"
 
 #include <gtest/gtest.h>
@@ -8,8 +9,8 @@
 namespace robochart::statistics {
 namespace {
 
-/// Of 8 cups of tea 4 had the milk first: all 4 are named by chance once in (8 choose 4) = 70, none as often; 3 of 4 in
-/// 16 of 70 (Fisher, The Design of Experiments, 1935, chapter II).
+/// Of 8 cups of tea, 4 had the milk first. By chance all 4 are identified once in (8 choose 4) = 70 selections, and
+/// none equally often; 3 of 4 in 16 of 70 (Fisher, The Design of Experiments, 1935, chapter II).
 TEST(FisherExact, TheLadyTastingTea) {
     EXPECT_NEAR(fisher_exact({4, 4}, {0, 4}), 2.0 / 70, 1e-12);
     EXPECT_NEAR(fisher_exact({3, 4}, {1, 4}), 34.0 / 70, 1e-12);
@@ -20,11 +21,11 @@ TEST(FisherExact, Ends) {
     EXPECT_NEAR(fisher_exact({0, 100}, {0, 200}), 1, 1e-12);
     EXPECT_NEAR(fisher_exact({100, 100}, {7, 7}), 1, 1e-12);
     EXPECT_NEAR(fisher_exact({0, 0}, {3, 9}), 1, 1e-12) << "no trials say nothing";
-    // All of ten against none of ten: two divisions of (20 choose 10).
+    // All of ten compared with none of ten: two of (20 choose 10) divisions.
     EXPECT_NEAR(fisher_exact({10, 10}, {0, 10}), 2.0 / 184'756, 1e-15);
 }
 
-/// Where both have the same probability, it is at most `error` in at most that share of all outcomes.
+/// If both samples have the same probability, the p-value is at most `error` in at most this share of outcomes.
 TEST(FisherExact, ErrsAtMostAsOftenAsItSays) {
     constexpr std::uint64_t n = 30;
     constexpr std::uint64_t m = 17;
@@ -45,7 +46,7 @@ TEST(FisherExact, ErrsAtMostAsOftenAsItSays) {
 }
 
 TEST(Holm, AdjustsByHand) {
-    // In order .01 * 4, .02 * 3, .03 * 2, .04: none below the one before.
+    // In order .01 * 4, .02 * 3, .03 * 2, .04: no value is below the previous one.
     const std::vector<double> adjusted = holm({0.03, 0.01, 0.04, 0.02});
     const std::vector<double> expected{0.06, 0.04, 0.06, 0.06};
     ASSERT_EQ(adjusted.size(), expected.size());

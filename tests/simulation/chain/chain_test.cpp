@@ -1,5 +1,5 @@
-// Chains of swarms: states and transitions counted by hand and robot by robot, questions that states do not answer,
-// bounds that hold of swarms that are chains, and swarms that are none.
+// Chains of swarms: states and transitions counted by hand and robot by robot, claims that states do not determine,
+// bounds for swarms that are Markov chains, and the refutation of swarms that are not.
 #include "simulation/chain/chain.hpp"
 
 #include <gmock/gmock.h>
@@ -38,7 +38,7 @@ struct ReadChain {
         findings.clear();
         for (const auto& each : found.sorted()) findings += std::string(each.rule->code) + " " + each.message() + "\n";
     }
-    /// What is said of its questions.
+    /// The report on the claims.
     std::string asked() {
         const ChainStates states(scenario, std::nullopt);
         (void)chain_asked(scenario, states, found);
@@ -115,7 +115,7 @@ TEST(Abstraction, StatesAnswerOrItIsSaid) {
 
 // ---------------------------------------------------------------- states and transitions
 
-/// Three robots in A, in B or in neither: ten ways, and the start.
+/// Three robots in A, in B or in neither: ten states, and the initial state.
 TEST(ChainStates, AreTheNumbersOfRobots) {
     const ReadChain read(std::string("abstract by a, b every 1 s estimate average a with confidence 95 %"));
     ASSERT_EQ(read.findings, "");
@@ -148,8 +148,8 @@ TEST(ChainStates, TooManyAreRefused) {
     EXPECT_THROW(ChainStates(many.scenario, std::nullopt), TooManyStates);
 }
 
-/// Robots begin in neither state, go to A, from there to B, and stay. Against all ways to give three robots their
-/// states.
+/// Robots start in neither state, go to A, then to B, and stay there. Compared with all assignments of states to three
+/// robots.
 TEST(ChainStates, TransitionsAreThoseOfRobots) {
     const ReadChain read("abstract by a, b every 1 s estimate average a with confidence 95 %");
     ASSERT_EQ(read.findings, "");
@@ -174,7 +174,7 @@ TEST(ChainStates, TransitionsAreThoseOfRobots) {
     EXPECT_EQ(states.permitted(), expected);
 }
 
-/// A class that nothing follows excludes nothing.
+/// A class without successors excludes no transition.
 TEST(Transitions, NothingIsExcludedWhereTimeStops) {
     const ReadChain read("abstract by a every 1 s estimate average a with confidence 95 %", "1");
     const ChainStates states(read.scenario, RobotSteps{{0, 1}, {true, false}, {{false, true}, {false, false}}});
@@ -193,7 +193,7 @@ TEST(Transitions, ObeyLimits) {
     EXPECT_THROW((void)states.permitted(&budget), diagnostics::LimitReached);
 }
 
-/// A time is no share: it has seconds, and the robots do not count it.
+/// A measure of time is not a share: it is in seconds and does not count robots.
 TEST(States, OfATime) {
     const ReadChain read(
         "measure now is time abstract by now in 2 s every 1 s estimate time until now >= 1 s with confidence 95 %");
@@ -232,7 +232,7 @@ std::vector<ChainAnswer> answered(const Scenario& scenario, const Draw& draw, st
     return result;
 }
 
-/// It comes near with a chance of 0.1 and leaves with one of 0.3 in each second.
+/// The robot comes near with probability 0.1 and leaves with probability 0.3 in each second.
 std::vector<double> wanders(std::mt19937_64& random) {
     std::uniform_real_distribution<double> draw(0, 1);
     std::vector<double> seen{0};
@@ -240,8 +240,8 @@ std::vector<double> wanders(std::mt19937_64& random) {
     return seen;
 }
 
-/// Near within 12 s with a chance of 1 - 0.9^12, after 10 s in the mean, and in the long run for a quarter of the time.
-/// All three bounds hold and nothing is refuted in at least 95 % of repetitions.
+/// Near within 12 s with probability 1 - 0.9^12, after 10 s on average, and in the long run for a quarter of the time.
+/// In at least 95 % of repetitions all three bounds hold and nothing is refuted.
 TEST(ChainAnswer, HoldsOfChainsInNineteenOfTwentyRepetitions) {
     ReadChain read(one_robot, "1");
     ASSERT_EQ(read.findings, "");
@@ -260,14 +260,14 @@ TEST(ChainAnswer, HoldsOfChainsInNineteenOfTwentyRepetitions) {
 TEST(ChainAnswer, ClaimsAreJudged) {
     const ReadChain read(one_robot, "1");
     const auto answers = answered(read.scenario, wanders, 5);
-    // 1 - 0.9^12 is 0.72: 300 trials tell it from 0.4.
+    // 1 - 0.9^12 is 0.72: 300 trials distinguish it from 0.4.
     EXPECT_EQ(answers[0].verdict(), ClaimVerdict::holds);
     EXPECT_EQ(answers[1].verdict(), ClaimVerdict::estimated);
     EXPECT_GT(answers[1].low, 4);
     EXPECT_LT(answers[1].high, 40);
 }
 
-/// In three of five trials it never comes; else with a chance of a half in each second.
+/// In three of five trials the event never comes; otherwise it comes with probability one half in each second.
 TEST(ChainAnswer, WhatIsLockedIsRefuted) {
     const ReadChain read(one_robot, "1");
     const auto locked = [](std::mt19937_64& random) {
@@ -283,8 +283,8 @@ TEST(ChainAnswer, WhatIsLockedIsRefuted) {
     }
 }
 
-/// It leaves after two seconds near: where it has been for one is not in its state. Fresh trials of the share near may
-/// well agree; the order does not.
+/// The robot leaves after two seconds near the lamp. The state does not contain how long it has been there. Fresh
+/// trials of the share may agree with the chain, but the test of its order fails.
 TEST(ChainOrder, WhatLastsForAFixedTimeIsRefuted) {
     const ReadChain read("abstract by near every 1 s estimate average near with confidence 95 %", "1");
     const ChainStates states(read.scenario, std::nullopt);
@@ -328,7 +328,7 @@ TEST(ChainOrder, WhatLastsForAFixedTimeIsRefuted) {
     EXPECT_THAT(answers_text(result), HasSubstr("its order is refuted"));
 }
 
-/// Where questions have several confidences the chain is not refuted at less than the greatest.
+/// If claims have several confidences, the chain is tested at the highest one.
 TEST(ChainOrder, HasTheGreatestConfidenceOfTheQuestions) {
     const ReadChain read(
         "abstract by near every 1 s estimate average near with confidence 90 % "
@@ -338,7 +338,7 @@ TEST(ChainOrder, HasTheGreatestConfidenceOfTheQuestions) {
     diagnostics::Diagnostics found;
     const auto asked = chain_asked(read.scenario, states, found);
     ASSERT_EQ(asked.size(), 2U);
-    // After an equal state another follows always, after another never.
+    // The state is always kept after a change, and never after it was kept.
     const statistics::StateSequence twos{1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2};
     const std::vector<statistics::StateSequence> all(40, twos);
     const auto finding = order_finding(asked, statistics::all_permitted(states.size()), all);
@@ -350,7 +350,7 @@ TEST(ChainOrder, HasTheGreatestConfidenceOfTheQuestions) {
                  diagnostics::LimitReached);
 }
 
-/// A trial that did what is excluded (RC-M18) is found, with its place.
+/// A transition of a trial that the model excludes (RC-M18) is reported with its place.
 TEST(Sequences, WhatIsExcludedIsFound) {
     const ReadChain read("abstract by a every 1 s estimate average a with confidence 95 %", "1");
     const ChainStates states(read.scenario, RobotSteps{{0, 1}, {true, false}, {{false, true}, {false, true}}});
@@ -367,7 +367,7 @@ TEST(Sequences, WhatIsExcludedIsFound) {
     EXPECT_EQ(excluded[0].to, "a 0 of 1");
 }
 
-/// What cannot be bounded is said so; what is not answered is open.
+/// The report says which values cannot be bounded and which claims are undecided.
 TEST(ChainReport, SaysWhatItIs) {
     ChainResult result;
     result.questions = 2;

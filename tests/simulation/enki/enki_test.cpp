@@ -1,4 +1,5 @@
-// The adapter for Enki: the generated controller aggregates there too, broken ones do not; what Enki lacks is refused.
+// The adapter for Enki: the generated controller aggregates in Enki too, faulty ones do not; scenarios with features
+// that Enki lacks are rejected.
 #include "simulation/adapters/enki/enki_stage.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ using testing::replaced;
 const std::string corpus = tests::source_folder().string() + "/corpus/";
 
 RunResult run_in_enki(Experiment& experiment) {
-    return experiment.run(1, enki_stage);  // Enki's random numbers are global
+    return experiment.run(1, enki_stage);  // Enki's random generator is global
 }
 
 TEST(Enki, OneClusterInAllTenTrials) {
@@ -58,7 +59,7 @@ TEST(Enki, RefusesWhatItLacks) {
     EXPECT_NE(experiment.codes().find("RC-M15 RC-M15"), std::string::npos) << experiment.messages();
 }
 
-/// The one robot of Enki and the one of the embedded world go the same way.
+/// A robot in Enki and one in the embedded world follow the same path.
 TEST(Enki, DrivesAsTheEmbeddedWorldDoes) {
     std::string text = replaced(read_file(corpus + "aggregation/aggregation.scenario"), "trials 10", "trials 1");
     text = replaced(text, "noise 5 %", "");
@@ -71,7 +72,7 @@ TEST(Enki, DrivesAsTheEmbeddedWorldDoes) {
     const auto& a = enki.trials.at(0).frames;
     const auto& b = own.trials.at(0).frames;
     ASSERT_EQ(a.size(), b.size());
-    // A circle of 14.5 cm: after ten seconds both are within a few millimetres.
+    // A circle of 14.5 cm: after ten seconds the positions differ by at most a few millimetres.
     for (std::size_t f = 0; f <= 20; ++f) EXPECT_LT(length(a[f].poses[0].at - b[f].poses[0].at), 1.0) << a[f].time;
 }
 

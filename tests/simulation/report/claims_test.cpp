@@ -1,5 +1,5 @@
-// Claims judged on answers by hand, with the trials that the interval or the test needs; and on simulated trials, with
-// any number of threads.
+// Claims decided on given answers, with the number of trials that the interval or the test needs; and on simulated
+// trials, with any number of threads.
 #include "simulation/report/claims.hpp"
 
 #include <gmock/gmock.h>
@@ -24,15 +24,15 @@ Claim at_least(double probability, double confidence, std::uint32_t most = 10'00
     return claim;
 }
 
-/// As many trials as it takes, of which every `period`-th fails (0: none).
+/// Decides a claim with as many trials as it needs; every `period`-th trial fails (0: none).
 ClaimResult judged(const Claim& claim, std::uint64_t period, std::uint32_t comparisons = 1) {
     ClaimJudge judge(claim, comparisons);
     for (std::uint64_t trial = 1; !judge.done(); ++trial) judge.add({period == 0 || trial % period != 0, 1, false}, 10);
     return judge.result();
 }
 
-/// Without a failure the lower bound after n trials is (share of the error / 2)^(1/n); the seventh look, after 183
-/// trials, has 1/56 of the error, and is the first whose bound is above 95 %.
+/// Without a failure the lower bound after n trials is (share of the error / 2)^(1/n). The seventh look, after 183
+/// trials, has 1/56 of the error, and its bound is the first above 95 %.
 TEST(Claims, HoldAtTheFirstLookThatShowsIt) {
     const ClaimResult found = judged(at_least(0.95, 0.99), 0);
     EXPECT_EQ(found.verdict, ClaimVerdict::holds);
@@ -62,7 +62,7 @@ TEST(Claims, AtMost) {
     EXPECT_EQ(judged(claim, 0).verdict, ClaimVerdict::fails);
 }
 
-/// The error of a point of a sweep is its part of the whole.
+/// Each point of a sweep has its share of the total error.
 TEST(Claims, ComparisonsShareTheError) {
     const ClaimResult found = judged(at_least(0.95, 0.99), 0, 30);
     EXPECT_EQ(found.trials(), 275U);
@@ -106,7 +106,8 @@ stm Go {
 }
 )";
 
-/// One robot that drives straight on for 10 s with 10 cm/s from a random place and heading, 50 cm around a lamp.
+/// One robot that drives straight ahead for 10 s at 10 cm/s, from a random place within 50 cm of a lamp and with a
+/// random heading.
 constexpr const char* scenario = R"(
 scenario World for Go {
 	step 0.1 s physics 0.1 s unit 0.1 s duration 10 s trials 3 seed 5
@@ -151,7 +152,7 @@ TEST(ClaimsOfTrials, AreTheSameWithAnyNumberOfThreads) {
     EXPECT_THAT(one, ::testing::HasSubstr("holds"));
 }
 
-/// Trials that are kept for pictures go on to their ends, and answer the same.
+/// Trials that are recorded for pictures run to their end and give the same answers.
 TEST(ClaimsOfTrials, DoNotDependOnWhatIsKept) {
     Experiment experiment(model, scenario);
     const RunResult kept = run(experiment, 2, true);
@@ -168,8 +169,8 @@ TEST(ClaimsOfTrials, DoNotDependOnWhatIsKept) {
     EXPECT_LT(bare.claims[1].steps, 100 * bare.claims[1].trials()) << "trials that succeed end then";
 }
 
-/// Who starts within 20 cm succeeds at once; who drives from the lamp at 10 cm/s is 60 cm away after 10 s at the latest
-/// unless it started on the other side: each outcome is that of the straight line.
+/// A robot that starts within 20 cm of the lamp succeeds immediately. The distance after 10 s at 10 cm/s and every
+/// outcome follow from the straight line.
 TEST(ClaimsOfTrials, AreThoseOfTheStraightLine) {
     Experiment experiment(model, scenario);
     const RunResult result = run(experiment, 2, false);
@@ -194,7 +195,7 @@ TEST(ClaimsOfTrials, ATrialThatStopsCountsAgainstThem) {
     const RunResult result = run(experiment, 2, false);
     EXPECT_FALSE(result.stops_are_errors);
     EXPECT_TRUE(experiment.diagnostics.ok());
-    // What was known at the start counts, a later answer does not come.
+    // An answer that is known at the start counts; a later one does not occur.
     EXPECT_EQ(result.claims[1].verdict, ClaimVerdict::fails);
     EXPECT_EQ(result.claims[1].trials(), 16U);
     EXPECT_EQ(result.claims[1].stopped() + result.claims[1].successes, 16U);
@@ -203,7 +204,7 @@ TEST(ClaimsOfTrials, ATrialThatStopsCountsAgainstThem) {
     EXPECT_TRUE(result.fails());
     Experiment most(loop, replaced(scenario, "60 cm within 10 s >= 70 %", "60 cm within 10 s <= 70 %"));
     EXPECT_EQ(run(most, 1, false).claims[1].verdict, ClaimVerdict::fails) << "against it too";
-    // Beside bands it is an error, as ever.
+    // In a scenario with bands it remains an error.
     Experiment band(loop, replaced(scenario, "measure way is distance(lamp)",
                                    "measure way is distance(lamp)\n\taccept each way >= 0 cm"));
     const RunResult stopped = run(band, 1, false);

@@ -1,4 +1,4 @@
-// What pictures, plots and tables of trials show, and the values behind them by hand.
+// The contents of pictures, plots and tables of trials, and the values that they show, by hand.
 #include "simulation/report/pictures.hpp"
 
 #include <fmt/format.h>
@@ -62,7 +62,7 @@ TEST(Pictures, CsvHasARowARobotATime) {
 }
 
 TEST(Pictures, RasterShowsTheRobotWhereItIs) {
-    const Raster raster = rasterise(small(), two_frames()[1], 2, 250);  // one dot a centimetre
+    const Raster raster = rasterise(small(), two_frames()[1], 2, 250);  // one pixel per centimetre
     const auto dot = [&](double x, double y) {
         const std::size_t index =
             3 * (static_cast<std::size_t>(125 - y) * raster.width + static_cast<std::size_t>(125 + x));
@@ -141,7 +141,7 @@ TEST(Series, OverTheTrialsThatHadNotEnded) {
     scenario.robots = 3;
     scenario.measures.push_back({{"c", {}}, MeasureKind::cluster, 10, 0, {}, {}});
     scenario.bands.push_back({{StatisticKind::at_time, 0, 1, {}}, true, 0.5, 1, "each", {}});
-    // Of three in a row, two pairs are a gap apart and one two gaps: 4/3 of a gap in the mean.
+    // Of three robots in a row, two pairs are one gap apart and one pair two gaps: 4/3 of a gap on average.
     const Charts charts = charts_of(scenario, {rows({30, 10, 3}), rows({60, 30})}, machines());
     EXPECT_THAT(charts.times, ElementsAre(0, 1, 2));
     ASSERT_EQ(charts.charts.size(), 4U);
@@ -182,7 +182,7 @@ TEST(Series, NoMoreTimesThanAskedFor) {
     EXPECT_EQ(charts.times.back(), 999);
 }
 
-// Ten million pairs a time are too many for twenty times: no mean distances, but clusters all the same.
+// Ten million pairs per time are too many for twenty times: mean distances are omitted, clusters are not.
 TEST(Series, TooManyPairsAreLeftOut) {
     Scenario scenario = small();
     scenario.robots = 5000;

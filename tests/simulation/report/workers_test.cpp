@@ -1,4 +1,4 @@
-// What ends a worker ends the run, with its cause.
+// An exception in a worker ends the run with its cause.
 #include <gtest/gtest.h>
 
 #include <new>

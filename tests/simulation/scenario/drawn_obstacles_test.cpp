@@ -1,4 +1,4 @@
-// Obstacles from drawings: their corners by hand, and drawings of which something would be passed over.
+// Obstacles from drawings: their corners by hand, and drawings that are rejected because a part would be ignored.
 #include "simulation/scenario/drawn_obstacles.hpp"
 
 #include <gmock/gmock.h>
@@ -34,7 +34,7 @@ std::string refused(const std::string& text) {
     return error;
 }
 
-/// The middle of the drawing, (100, 50), becomes (0, 0), and the y axis goes up.
+/// The middle of the drawing, (100, 50), becomes (0, 0), and the y axis points up.
 TEST(DrawnObstacles, Corners) {
     const Polygon square{{-90, 40}, {-80, 40}, {-80, 30}, {-90, 30}};
     EXPECT_EQ(read("<polygon points=\"10,10 20 10,20,20 10 20\"/>"), std::vector<Polygon>{square});
@@ -119,7 +119,7 @@ TEST(DrawnObstacles, StandInTheArena) {
     std::filesystem::remove_all(made);
 }
 
-/// Each robot is within 10 cm of another, none touches one, and all are in the arena.
+/// Every robot is within 10 cm of another one, no two touch, and all are in the arena.
 TEST(LinkedStarts, AreLinkedAndDoNotOverlap) {
     WorldOptions options;
     options.arena.width = 60;

@@ -1,4 +1,4 @@
-// Reading scenarios: values in inner units, and findings at their places.
+// Parsing of scenarios: values in internal units, and findings at their places.
 #include "simulation/scenario/scenario.hpp"
 #include "simulation/scenario/read_scenario.hpp"
 
@@ -173,7 +173,7 @@ TEST(Scenario, FindingsInClaims) {
     EXPECT_THAT(findings(deep), HasSubstr("RC-M01 expected at most 100 words"));
 }
 
-/// However a scenario is cut off, the reader ends with a finding.
+/// For every prefix of a scenario, the parser ends with a finding.
 TEST(Scenario, EveryBeginningIsRefusedWithAPlace) {
     const std::string text(good);
     for (std::size_t end = 0; end + 3 < text.size(); end += 7) {
@@ -182,7 +182,7 @@ TEST(Scenario, EveryBeginningIsRefusedWithAPlace) {
     }
 }
 
-/// One word replaced by another of the scenario, everywhere: no crash, no hang, and a verdict.
+/// Replaces one word by another word of the scenario: the parser must not crash or hang, and must give a verdict.
 TEST(ScenarioProperty, SwappedWordsDoNoHarm) {
     const std::string text(good);
     std::vector<std::string> words;
@@ -213,8 +213,8 @@ TEST(Start, RefusesWhatDoesNotFit) {
     EXPECT_THAT(read.findings(), HasSubstr("10:3 RC-M09 199 robots of radius 3.5 cm do not fit"));
 }
 
-/// Four robots of 300 cm2 each start in a square with a side of 34.6 cm, in an arena with a side of 60 cm; nine of them
-/// in one of 52.0 cm, in 90 cm.
+/// Four robots with 300 cm2 each start in a square with a side of 34.6 cm, in an arena with a side of 60 cm; nine
+/// robots start in a square of 52.0 cm, in an arena of 90 cm.
 TEST(Start, SquaresGrowWithTheRobots) {
     const std::string text = R"(scenario S for M {
 	step 0.1 s physics 0.1 s unit 0.1 s duration 1 s
@@ -249,7 +249,8 @@ TEST(Start, SquaresGrowWithTheRobots) {
               "3:20 RC-M02 the area of a robot takes an area (cm2, m2)\n");
 }
 
-/// A chain of links shorter than a robot is wide cannot be; corners of one obstacle are reported once.
+/// A chain with links shorter than a robot's diameter is impossible; overlapping corners of one obstacle are reported
+/// once.
 TEST(Start, SaysWhatCannotBe) {
     const std::string linked = replaced(good, "place random in (40 cm, 40 cm) to (-40 cm, -40 cm)",
                                         "place linked around (0 cm, 0 cm) within 5 cm");
@@ -272,7 +273,7 @@ TEST(Start, RobotsMayBeLinkedWithinTheirDiameter) {
     }
 }
 
-/// `pace` of the first kind is `all.pace` where that is its name; the word `environment` is no kind's.
+/// `pace` of the first kind can be written `all.pace` if the kind is called `all`; no kind may be called `environment`.
 TEST(Scenario, AControllersConstantHasOneName) {
     const auto findings = [](const std::string& name, const std::string& varied) {
         const std::string named = replaced(good, "robots 12 {", "robots 12 " + name + " {");
@@ -288,7 +289,8 @@ TEST(Scenario, AControllersConstantHasOneName) {
                 HasSubstr("RC-M05 the name 'environment', which is that of what acts on the world, is said twice"));
 }
 
-/// Twelve robots: all of them can fail, thirteen cannot. Where their number varies, each point takes what it has.
+/// At most all twelve robots can fail, not thirteen. If their number varies, the limit at each point is its number of
+/// robots.
 TEST(Scenario, NoMoreRobotsFailThanThereAre) {
     const auto findings = [](const std::string& items) {
         std::string text = replaced(good, "	pictures at 0 s, 1 s\n", "	" + items + "\n");
@@ -317,7 +319,7 @@ TEST(Start, TrialsDifferAndRepeat) {
 }
 
 struct Mistake {
-    const char* from;  ///< of the good scenario
+    const char* from;  ///< part of the valid scenario
     const char* to;
     const char* note;
 };

@@ -1,4 +1,4 @@
-// Estimates after a fixed number of trials, and sweeps compared with tables; counts and chances by hand.
+// Estimates after a fixed number of trials, and comparisons of sweeps with tables; counts and p-values by hand.
 #include "simulation/sweep/comparison.hpp"
 
 #include <gmock/gmock.h>
@@ -72,7 +72,7 @@ TEST(Vary, SharesOfSensors) {
     EXPECT_THAT(Sweeping(text).findings, HasSubstr("there is no share of 'eye' named 'leak'"));
 }
 
-/// Points of one variation with so many of ten.
+/// A sweep with one point for each number of successes out of ten.
 SweepResult sweep(const Scenario& scenario, const std::vector<std::uint64_t>& successes) {
     SweepResult result;
     for (const std::uint64_t each : successes)
@@ -90,7 +90,7 @@ TEST(Comparison, TestsEachPointAndAllTogether) {
     ASSERT_TRUE(table) << error;
     const auto all = compare(read.scenario, sweep(read.scenario, {10, 0, 4}), *table);
     ASSERT_EQ(all.size(), 3U) << "9 robots are not here";
-    // All of ten against none of ten: 2 of (20 choose 10) divisions; three tests.
+    // All of ten compared with none of ten: 2 of (20 choose 10) divisions; three tests.
     EXPECT_NEAR(all[0].chance, 2.0 / 184'756, 1e-12);
     EXPECT_NEAR(all[0].adjusted, 6.0 / 184'756, 1e-12);
     EXPECT_TRUE(rejected(read.scenario, all[0]));

@@ -1,4 +1,4 @@
-// Points of a sweep, the sets that follow from their verdicts, tables; verdicts by hand.
+// Points of a sweep, the sets that follow from their verdicts, and tables; verdicts by hand.
 #include "simulation/sweep/sweep.hpp"
 
 #include <gmock/gmock.h>
@@ -120,7 +120,7 @@ ClaimResult found(ClaimVerdict verdict) {
     return result;
 }
 
-/// Verdicts at 1, 2, ... robots: 'h'olds, 'f'ails, 'o'pen, '-' not looked at.
+/// Verdicts at 1, 2, ... robots: 'h'olds, 'f'ails, 'o'pen, '-' not simulated.
 std::vector<PointResult> verdicts(const std::string& letters) {
     std::vector<PointResult> results;
     for (const char letter : letters) {
@@ -195,7 +195,7 @@ TEST(Sweep, TablesAndSets) {
     EXPECT_EQ(plots[1].name, "times");
 }
 
-/// In a plot 100 % is at the top and 0 % at the bottom, and each interval at its shares.
+/// In a plot 100 % is at the top and 0 % at the bottom, and the ends of each interval are at its bounds.
 TEST(SweepPlots, BarsAreAtTheirShares) {
     ReadScenario read(varied);
     read.scenario.variations.pop_back();

@@ -1,4 +1,4 @@
-// Formulas on runs written by hand, and random ones against the definitions of the operators on the whole run.
+// Formulas on handwritten runs, and random formulas compared with the definitions of the operators on the whole run.
 #include "simulation/trial/formulas.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace robochart::simulation {
 namespace {
 
-/// A scenario of five control steps of a second with measures a and b and this property of a claim.
+/// A scenario of five control steps of one second, with measures a and b and a claim with this property.
 Scenario with_property(const std::string& property) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
@@ -28,14 +28,14 @@ Scenario with_property(const std::string& property) {
     return scenario;
 }
 
-/// Measure by measure, the values after 0, 1, ... steps.
+/// For each measure, the values after 0, 1, ... steps.
 using Values = std::vector<std::vector<double>>;
 
 MeasureNow at(const Values& run, std::uint64_t step) {
     return [&run, step](std::size_t measure) { return run[measure][step]; };
 }
 
-/// "true 3": its value, known after three steps.
+/// "true 3": the formula's value, known after three steps.
 std::string answer(const std::string& property, const Values& run) {
     const Scenario scenario = with_property(property);
     if (scenario.claims.size() != 1) return "";
@@ -100,11 +100,11 @@ TEST(Formulas, WhatATrialThatStopsLeavesOpenIsTaken) {
     EXPECT_EQ(decided.answer(), (Answer{true, 2, false})) << "what is known stays";
 }
 
-// ---------------------------------------------------------------- against the definitions
+// ---------------------------------------------------------------- comparison with the definitions
 
 using Kind = Formula::Kind;
 
-/// At an instant of a whole run, by the definition.
+/// The value at one instant of a whole run, by definition.
 bool defined(const Formula& f, const Values& run, std::size_t t) {
     switch (f.kind) {
         case Kind::compare:
@@ -125,7 +125,7 @@ bool defined(const Formula& f, const Values& run, std::size_t t) {
     }
 }
 
-/// Of the whole run.
+/// The value for the whole run.
 bool defined(const Formula& f, const Values& run) {
     const std::size_t last = std::isinf(f.time) ? 5 : static_cast<std::size_t>(f.time);
     switch (f.kind) {
@@ -206,7 +206,7 @@ TEST(Formulas, RandomOnesAreAsTheirOperatorsAreDefined) {
         ASSERT_TRUE(watched.answer().holds) << seed;
         EXPECT_EQ(*watched.answer().holds, defined(formula, run)) << seed;
         early += watched.answer().step < 5 ? 1U : 0U;
-        // Whatever comes after the answer was known does not change it.
+        // Later values do not change an answer that is known.
         Values other = run;
         const Values later = random.run();
         for (std::size_t m = 0; m < 2; ++m)

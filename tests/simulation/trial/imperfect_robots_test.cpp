@@ -1,5 +1,5 @@
-// Sensors that err, robots that fail, what is heard of neighbours, lights that move: measured against what is asked
-// for.
+// Sensors with errors, robots that fail, signals received from neighbours, and moving lights: measured rates compared
+// with the specified ones.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ using testing::Experiment;
 using ::testing::HasSubstr;
 using testing::replaced;
 
-/// Stands until it sees a robot; a count and a message are kept in states.
+/// Stands until it sees a robot; states record a count and a message.
 constexpr const char* looking = R"(
 interface Ops { forward() }
 interface Said { var saying : nat = 0 }
@@ -87,7 +87,8 @@ TEST(SightErrors, ReadAndVary) {
     EXPECT_DOUBLE_EQ(read.sensors[0].false_positive, 0.01);
 }
 
-/// Which robots see one in the first cycle, of 2000 pairs: the first has one before it, the second a wall.
+/// The numbers of robots that see another one in the first cycle, of 2000 pairs: the first robot of a pair looks at the
+/// second, the second at a wall.
 std::pair<std::uint64_t, std::uint64_t> seeing(const std::string& options) {
     Experiment experiment(looking, replaced(looking_world, "line_of_sight", "line_of_sight { " + options + " }"));
     EXPECT_TRUE(experiment.diagnostics.ok()) << experiment.messages();
@@ -114,8 +115,8 @@ TEST(SightErrors, AreAsFrequentAsTheySay) {
     EXPECT_TRUE(second.low <= 0.05 && 0.05 <= second.high) << imagined;
 }
 
-/// How many of 400 robots are Seeing at the end of one cycle, fed by this reading of this sensor; two of a pair are 20
-/// cm apart and 10 cm, 22 cm from the lamp.
+/// The number of 400 robots in state Seeing after one cycle with this reading of this sensor. The two robots of a pair
+/// are 20 cm apart, and 10 cm and 22 cm from the lamp.
 std::uint64_t noticing(const std::string& sensor, const std::string& reading) {
     std::string text = replaced(looking_world, "line_of_sight", sensor);
     text = replaced(text, "eye.robot", "eye." + reading);
@@ -141,7 +142,8 @@ TEST(SensorErrors, OfProximityAndGroundAreAsFrequentAsTheySay) {
         const auto interval = statistics::clopper_pearson(seeing, 400, 1e-4);
         return interval.low <= share && share <= interval.high;
     };
-    // Enough rays that none misses the other: 20 cm between the centres of robots of 3 cm: 14 cm from body to body.
+    // The sensors are dense enough that no robot is missed: 20 cm between the centres of robots of 3 cm radius, 14 cm
+    // between bodies.
     EXPECT_EQ(noticing("proximity { sensors 64 range 20 cm }", "near(20 cm)"), 400U);
     EXPECT_EQ(noticing("proximity { sensors 64 range 20 cm error 100 % }", "near(20 cm)"), 0U);
     EXPECT_EQ(noticing("proximity { sensors 64 range 5 cm error 100 % }", "near(5 cm)"), 400U);
@@ -201,8 +203,8 @@ TEST(Failures, OfSensorsReportNothing) {
     EXPECT_EQ(ends(looking_world), (std::vector<std::string>{"Seeing", "Waiting"}));
 }
 
-/// Bjerknes and Winfield, DARS 2010: of n robots with lifetimes of mean m at least k work at time t with
-/// R = sum over i >= k of C(n, i) e^(-i t/m) (1 - e^(-t/m))^(n-i). The share of trials lies around it.
+/// Bjerknes and Winfield, DARS 2010: of n robots with mean lifetime m, at least k work at time t with R = sum over i >=
+/// k of C(n, i) e^(-i t/m) (1 - e^(-t/m))^(n-i). The share of trials is close to R.
 TEST(Failures, AreThoseOfTheFormulaForKOutOfN) {
     std::string text = replaced(looking_world, "place at (20 cm, 0 cm) heading 0 deg", "place random in arena");
     text = replaced(text, "robots 2", "robots 10");
@@ -238,7 +240,7 @@ TEST(Lights, Move) {
 TEST(Obstacles, StandInTheWayAndHoldNobody) {
     EXPECT_TRUE(is_inside({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {5, 5}));
     EXPECT_FALSE(is_inside({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {15, 5}));
-    // A notch: an arrow whose inner corner lies at (5, 5).
+    // A notch: an arrow with its inner corner at (5, 5).
     EXPECT_FALSE(is_inside({{0, 0}, {10, 0}, {5, 5}, {10, 10}, {0, 10}}, {8, 5}));
     WorldOptions options;
     options.arena.obstacles.push_back({{-120, -120}, {120, -120}, {120, 0}, {-120, 0}});

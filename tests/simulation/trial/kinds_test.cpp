@@ -1,4 +1,4 @@
-// Several kinds of robots with models of their own, and the machine of an environment.
+// Several kinds of robots with separate models, and the machine of an environment.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ using testing::Experiment;
 using ::testing::HasSubstr;
 using testing::replaced;
 
-/// Drives on from the start.
+/// Drives forward from the start.
 constexpr const char* runner = R"(
 interface Legs { run() }
 interface Ears { event shout }
@@ -28,7 +28,7 @@ stm Runner {
 }
 )";
 
-/// Drives back as far as its constant says; says its number.
+/// Drives back for the number of time units in its constant; sends its number.
 constexpr const char* backer = R"(
 interface Wheels { back() halt() }
 interface Says { var word : nat = 0 }
@@ -80,7 +80,7 @@ TEST(Kinds, EachHasItsModelItsPlacesAndItsPlatform) {
         EXPECT_TRUE(result.bands[b].holds) << experiment.scenario.bands[b].text << ": " << result.bands[b].value;
     const Frame& last = result.trials.at(0).frames.back();
     ASSERT_EQ(last.poses.size(), 3U);
-    // Shouted at in the cycle of 0.5 s, so from 0.5 s on, 1.5 s at 10 cm/s.
+    // The signal comes in the cycle at 0.5 s, so from 0.5 s on the robot drives for 1.5 s at 10 cm/s.
     EXPECT_NEAR(last.poses[0].at.x, 15, 1e-9);
     EXPECT_NEAR(last.poses[1].at.x, 15, 1e-9);
     // Three time units of 0.1 s backwards.
@@ -102,7 +102,7 @@ TEST(Kinds, AKindThatIsCalledLikeAStateMakesItsNameMeanTwoThings) {
 }
 
 TEST(Kinds, WithoutTheOthersTheFirstDoesTheSame) {
-    // The robots are too far from each other to meet: each kind moves as it does alone.
+    // The robots are too far apart to meet: each kind moves as it does alone.
     std::string alone = mixed;
     alone.erase(alone.find("\trobots 1 backers"), alone.find("\tmeasure all") - alone.find("\trobots 1 backers"));
     alone.erase(alone.find("\tmeasure all"));
@@ -116,8 +116,8 @@ TEST(Kinds, WithoutTheOthersTheFirstDoesTheSame) {
             EXPECT_EQ(a.trials[0].frames[f].poses[robot].at, b.trials[0].frames[f].poses[robot].at);
 }
 
-/// Wheels, axle and noise are those of the first kind where nothing else is said; a fifth of the speed is a fifth of
-/// the way.
+/// Wheels, axle and noise are those of the first kind unless the kind states its own; a fifth of the speed gives a
+/// fifth of the distance.
 TEST(Kinds, DriveByWheelsOfTheirOwn) {
     const auto at_end = [](const std::string& own) {
         std::string text = replaced(mixed, "place at (0 cm, 100 cm)", own + " place at (0 cm, 100 cm)");
@@ -182,7 +182,7 @@ TEST(Kinds, WhatDoesNotFitIsReported) {
     EXPECT_EQ(codes(replaced(mixed, "robots 1 backers", "robots 1 runners")), "RC-M05 RC-M06 RC-M06");
 }
 
-/// Counts to its constant, then does two things.
+/// Counts to its constant, then performs two actions.
 constexpr const char* keeper = R"(
 interface Acts { act(x : real, y : real) stop() }
 interface Watch { event late event seen : boolean event share : real }
@@ -239,14 +239,14 @@ const Frame& frame_near(const RunResult& result, double time) {
 TEST(WorldMachine, MovesLightsShowsObstaclesAndRaisesEvents) {
     Experiment experiment(runner, watched, "model.rct", {keeper});
     const RunResult result = experiment.run();
-    // Read in the cycle of 1 s; what it does holds from the next one on.
+    // Read in the cycle at 1 s; the action takes effect in the next cycle.
     EXPECT_EQ(frame_near(result, 1).lights.at(0).at, (Vector{0, 0}));
     EXPECT_FALSE(frame_near(result, 1).obstacles.at(0));
     EXPECT_TRUE(frame_near(result, 1.1).obstacles.at(0));
-    // 22.36 cm to (10, 20) at 10 cm/s: one second is 10 cm of them.
+    // It takes 22.36 cm to (10, 20) at 10 cm/s: after one second it has moved 10 cm.
     EXPECT_NEAR(length(frame_near(result, 2).lights.at(0).at), 10, 1e-6);
     EXPECT_NEAR(frame_near(result, 2).lights.at(0).at.y, 2 * frame_near(result, 2).lights.at(0).at.x, 1e-6);
-    // The robots read the event in the cycle of 1.1 s, and drive for 1.9 s.
+    // The robots read the event in the cycle at 1.1 s, and drive for 1.9 s.
     EXPECT_NEAR(result.trials.at(0).frames.back().poses[0].at.x, 19, 1e-6);
 }
 
@@ -258,7 +258,7 @@ TEST(WorldMachine, ReadsConditionsAndMeasures) {
     const RunResult result = experiment.run();
     const Frame& last = result.trials.at(0).frames.back();
     EXPECT_EQ(std::count(last.working.begin(), last.working.end(), false), 1);
-    // Of two robots one stands, which of them is drawn: over trials it is not always the same.
+    // One of the two robots, chosen at random, stands: over many trials it is not always the same one.
     Experiment many(runner,
                     replaced(replaced(watched, "stimulus shout on act",
                                       "stimulus shout on act failure of motors in 1 robots on stop"),
@@ -326,7 +326,7 @@ TEST(WorldMachine, WhatDoesNotFitIsReported) {
     EXPECT_EQ(codes(replaced(watched, "when clock >= 1 s", "when clock >= 1 s within 2 s")), "RC-M16");
 }
 
-/// Each kind takes the event as its own model has it: the first with the command's argument, the other without value.
+/// Each kind gets the event as its model declares it: the first with the command's argument, the other without a value.
 TEST(WorldMachine, EachKindGetsTheValueThatItsEventCarries) {
     constexpr const char* valued = R"(
 interface Legs { run() }
@@ -368,7 +368,7 @@ stm Plain {
         EXPECT_TRUE(result.bands[b].holds) << experiment.scenario.bands[b].text << ": " << result.bands[b].value;
 }
 
-/// A robot that starts to run in this cycle is not yet in that state when the robots sense.
+/// A robot that starts to run in this cycle was not yet in this state when the robots sensed.
 TEST(WorldMachine, ReadsStatesAsTheyWereWhenTheRobotsSensed) {
     std::string text = replaced(watched, "measure out is inside (5 cm, -200 cm) to (200 cm, 200 cm)",
                                 "measure out is inside (5 cm, -200 cm) to (200 cm, 200 cm) "
@@ -378,7 +378,7 @@ TEST(WorldMachine, ReadsStatesAsTheyWereWhenTheRobotsSensed) {
     text = replaced(text, "feed late when clock >= 1 s", "feed late when running >= 100 %");
     Experiment experiment(runner, text, "model.rct", {keeper});
     const RunResult result = experiment.run();
-    // Running since the cycle of 0.5 s, read in that of 0.6 s, there when that step has passed.
+    // Running since the cycle at 0.5 s, read in that at 0.6 s, effective after that step.
     EXPECT_FALSE(frame_near(result, 0.6).obstacles.at(0));
     EXPECT_TRUE(frame_near(result, 0.7).obstacles.at(0));
 }

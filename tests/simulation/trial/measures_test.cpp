@@ -19,14 +19,14 @@ std::vector<Pose> at(const std::vector<Vector>& places) {
 }
 
 TEST(Measures, ClusterFollowsChains) {
-    // Three in a row, ten apart, and one alone: linked at ten, not at nine.
+    // Three robots in a row with distances of ten, and one alone: linked at ten, not at nine.
     const auto poses = at({{0, 0}, {20, 0}, {10, 0}, {0, 50}});
     EXPECT_DOUBLE_EQ(largest_cluster(poses, 10), 0.75);
     EXPECT_DOUBLE_EQ(largest_cluster(poses, 9.99), 0.25);
     EXPECT_DOUBLE_EQ(largest_cluster(poses, 60), 1);
 }
 
-/// Against the closure of the relation, by hand.
+/// Compared with the transitive closure of the relation.
 TEST(MeasuresProperty, ClusterIsTheClosure) {
     Random random(5);
     for (int round = 0; round < 200; ++round) {
@@ -85,7 +85,7 @@ TEST(Statistics, TimesAveragesAndMoments) {
     const Scenario scenario = with_bands();
     Statistics statistics(scenario);
     for (std::uint64_t step = 0; step <= 20; ++step) {
-        // Two robots that part by 2 cm a step: the spread is the number of steps.
+        // Two robots that move apart by 2 cm per step: the spread is the number of steps.
         const double half = static_cast<double>(step);
         const Frame frame{0, at({{-half, 0}, {half, 0}}), {}, {}};
         statistics.look(step, measures_now(scenario, frame));

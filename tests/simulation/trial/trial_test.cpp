@@ -1,4 +1,4 @@
-// One robot with a small machine: what it is fed, what it drives, and what stops it.
+// One robot with a small machine: its inputs, its motion, and the errors that stop it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using testing::Experiment;
 using ::testing::HasSubstr;
 using testing::replaced;
 
-/// Drives on until notified, then turns by an angle that is measured, then drives on.
+/// Drives ahead until it is notified, then turns by a measured angle, then drives ahead.
 constexpr const char* model = R"(
 interface Ops { forward() turn(angle : real) ask() }
 interface Vars { var seen : real = 0.3 }
@@ -55,8 +55,8 @@ scenario World for Roam {
 }
 )";
 
-/// The first robot drives from 0 to where the wall is 10 cm before its front: 50 - 10 - 3.7 = 36.3 cm, seen in the
-/// cycle after 3.7 s. Then it asks, turns towards the other (to its left, same way along), drives on.
+/// The first robot drives from 0 to where the wall is 10 cm ahead of its front: 50 - 10 - 3.7 = 36.3 cm, seen in the
+/// cycle after 3.7 s. Then it requests the angle, turns towards the other robot (to its left), and drives on.
 TEST(Trial, DrivesAsksTurnsAndDrivesOn) {
     Experiment experiment(model, scenario);
     ASSERT_EQ(experiment.codes(), "") << experiment.messages();
@@ -66,9 +66,10 @@ TEST(Trial, DrivesAsksTurnsAndDrivesOn) {
     ASSERT_EQ(frames.size(), 201U);
     EXPECT_NEAR(frames[10].poses[0].at.x, 10, 1e-9) << "10 cm/s from the first cycle on";
     EXPECT_NEAR(frames[30].poses[0].at.x, 30, 1e-9);
-    // Seen at 37 cm, in cycle 37; asked then; one more step is driven, then the answer turns it.
+    // It sees the wall at 37 cm, in cycle 37, and requests the angle. It drives for one more step, then turns by the
+    // answer.
     EXPECT_NEAR(frames[60].poses[0].at.x, 38, 1e-6);
-    // Both do the same at the same time: the other is straight to the left, and to the right.
+    // Both robots do the same at the same time: the other robot is directly to the left, or to the right.
     EXPECT_NEAR(frames[60].poses[0].heading, std::numbers::pi / 2, 1e-9);
     EXPECT_NEAR(frames[60].poses[1].heading, -std::numbers::pi / 2, 1e-9);
 }
@@ -179,7 +180,7 @@ public:
     std::vector<std::pair<std::uint64_t, std::uint32_t>> done;
 };
 
-/// A trace receives every cycle of every robot, with what it heard and did.
+/// A trace receives every cycle of every robot, with its inputs and outputs.
 TEST(Trial, TellsATrace) {
     Experiment experiment(model, scenario);
     std::string error;
@@ -199,7 +200,7 @@ TEST(Trial, TellsATrace) {
     EXPECT_EQ(experiment.emission.outputs.at(trace.done[1].second).name, "ask");
 }
 
-/// Shared variables are fed like events, and the environment raises events by the clock.
+/// Shared variables are inputs like events, and the environment raises events at given times.
 TEST(Trial, FeedsVariablesAndStimuli) {
     constexpr const char* machine = R"(
 interface Ops { forward() halt() }
@@ -245,11 +246,11 @@ scenario World for Roam {
     const auto& frames = result.trials.at(0).frames;
     EXPECT_NEAR(frames[20].poses[0].at.x, 0, 1e-9) << "waits for the sign at 2 s";
     EXPECT_NEAR(frames[21].poses[0].at.x, 1, 1e-9);
-    // The wall is 50 - 3.7 = 46.3 cm ahead at the start: less than 20.5 cm from x = 26 on (25.8 is passed between).
+    // The wall is initially 50 - 3.7 = 46.3 cm ahead: less than 20.5 cm from x = 26 on (25.8 is passed between steps).
     EXPECT_NEAR(frames[100].poses[0].at.x, 26, 1e-9);
 }
 
-/// Literals and constants of the model: the robot goes on at FAR, and at no other literal or number.
+/// Literals and constants of the model as stimuli: the robot continues at FAR, and at no other literal or number.
 class NamedStimuli : public ::testing::Test {
 protected:
     static std::string codes(const std::string& stimuli) { return experiment(stimuli)->codes(); }
@@ -329,7 +330,7 @@ TEST_F(NamedStimuli, ThatDoNotFitAreErrors) {
 }
 
 TEST(Controller, CompilerThatFailsIsReported) {
-    // RC-M11 carries these words.
+    // RC-M11 contains this text.
     Experiment experiment(model, scenario);
     std::string error;
     EXPECT_EQ(Controller::build(experiment.emission, "false", error), nullptr);
@@ -349,8 +350,8 @@ TEST(Controller, StatesLieSideBySideAndAligned) {
     EXPECT_GE(address(1) - address(0), controller->drive().state_size);
 }
 
-/// The square of the square ... of ten leaves what a number can be after nine squares; the difference of two such is
-/// none at all. The world cannot calculate with either, so the trial stops, with the element of the model.
+/// Squaring ten nine times leaves the range of finite numbers; the difference of two such results is not a number. The
+/// world cannot use either, so the trial stops and reports the element of the model.
 TEST(Trial, CommandsThatAreNoFiniteNumbersStopIt) {
     constexpr const char* squares = R"(
 interface Speeds { var linear : real = 0 var angular : real = 0 turn(by : real) }
@@ -385,7 +386,7 @@ scenario World for Grows {
         return result.trials.empty() || !result.trials[0].stop ? -1 : result.trials[0].stop->time;
     };
     const std::string speeds = "drive motors by speeds(linear in cm/s, angular in rad/s)";
-    // 10^512 is none: squared nine times, in the cycles of 0.0 s to 0.8 s or from 0.1 s to 0.9 s.
+    // 10^512 is not finite. It is reached after nine squarings, in the cycles at 0.0 s to 0.8 s or from 0.1 s to 0.9 s.
     EXPECT_NEAR(stopped("linear = x", speeds), 0.85, 0.06);
     EXPECT_NEAR(stopped("linear = x - x", speeds), 0.85, 0.06) << "0 at first";
     EXPECT_NEAR(stopped("turn(x - x)", "drive motors by turn(12 cm/s, rad) on turn"), 0.85, 0.06);

@@ -1,4 +1,4 @@
-// Iterated racing on costs whose best values are known.
+// Iterated racing on cost functions with known optima.
 #include "simulation/tuning/race.hpp"
 
 #include <gmock/gmock.h>
@@ -12,12 +12,12 @@
 namespace robochart::simulation {
 namespace {
 
-/// Uniform in [0, 1), from numbers.
+/// A number in [0, 1) that depends only on the arguments.
 double noise(std::uint64_t one, std::uint64_t other) {
     return static_cast<double>(diagnostics::splitmix64_mixed(one * 0x9e3779b97f4a7c15U + other) >> 11U) * 0x1.0p-53;
 }
 
-/// Costs by a function of the values and of the seed.
+/// Costs given by a function of the values and of the seed.
 class Synthetic : public RaceSubject {
 public:
     explicit Synthetic(std::vector<Parameter> parameters) : parameters_(std::move(parameters)) {}
@@ -36,7 +36,7 @@ public:
             EXPECT_TRUE(run_.insert(trial).second) << "run once";
             EXPECT_TRUE(is_usable(candidates_[trial.candidate]));
             if (run_.size() > most_) throw std::runtime_error("ended");
-            // Luck of the seed, the same for all, and a little of one's own.
+            // Noise of the seed, common to all candidates, and a smaller individual noise.
             result.push_back(cost(candidates_[trial.candidate]) + 10 * noise(trial.seed, 0) +
                              noise(trial.seed, trial.candidate + 1));
         }
@@ -64,7 +64,7 @@ Parameter parameter(const std::string& text, ParameterKind kind = ParameterKind:
     return read_parameter("x", text, kind, error).value();
 }
 
-/// The best of a search.
+/// The best value that a search finds.
 double best(Synthetic& subject, const RaceOptions& options, std::size_t p = 0) {
     Race race(subject.parameters_, options, subject);
     race.run();
@@ -74,8 +74,8 @@ double best(Synthetic& subject, const RaceOptions& options, std::size_t p = 0) {
     return subject.number(race.entries()[race.elites().front()].candidate, p);
 }
 
-/// The luck of a seed is twenty times what half the range costs; on common seeds it is no matter. A candidate 0.1 off
-/// costs 0.05 more, an eighth of the deviation of what is left.
+/// The noise of a seed is twenty times the cost difference over half the range, but it cancels on common seeds. A
+/// candidate 0.1 off costs 0.05 more, an eighth of the standard deviation of the remaining noise.
 TEST(Race, FindsTheLowestOfAParabola) {
     for (const Elimination test : {Elimination::friedman, Elimination::t_test})
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -141,7 +141,7 @@ TEST(Race, WhatCannotRunIsNotRun) {
     EXPECT_TRUE(race.elites().empty());
 }
 
-/// Four candidates are all that there are.
+/// The space has only four candidates.
 TEST(Race, SmallSpacesEnd) {
     class Four : public Synthetic {
         using Synthetic::Synthetic;

@@ -11,7 +11,7 @@ namespace {
 
 TEST(Geometry, RayMeetsDiskAheadAtItsNearSide) {
     EXPECT_DOUBLE_EQ(*hit_disk({0, 0}, {1, 0}, {10, 0}, 3), 7);
-    // A 3-4-5 triangle: the ray passes the centre at 3, half the chord is 4.
+    // A 3-4-5 triangle: the ray passes the centre at distance 3, and half the chord is 4.
     EXPECT_DOUBLE_EQ(*hit_disk({0, 0}, {1, 0}, {10, 3}, 5), 6);
 }
 

@@ -1,4 +1,4 @@
-// The generator is the published one, and its numbers have the moments they claim.
+// The generator is the published one, and its numbers have the stated moments.
 #include "simulation/world/random.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace robochart::simulation {
 namespace {
 
-/// xoshiro256++ and SplitMix64 written a second time, from the papers' recurrences.
+/// A second implementation of xoshiro256++ and SplitMix64, from the papers' recurrences.
 class Reference {
 public:
     explicit Reference(std::uint64_t seed) {

@@ -1,4 +1,4 @@
-// Sensors by hand, and the grid against the comparison with every robot.
+// Sensors by hand, and the grid compared with a test of every robot.
 #include "simulation/world/sensing.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ TEST(LineOfSight, SeesTheRobotInFrontAtItsSurface) {
 }
 
 TEST(LineOfSight, IsAsThinAsARay) {
-    // Aside by just less and just more than a radius.
+    // Offset by slightly less and slightly more than a radius.
     EXPECT_EQ(Scene({{{0, 0}, 0}, {{50, 3.69}, 0}}).sensing.line_of_sight(0, 0).what, Seen::robot);
     EXPECT_EQ(Scene({{{0, 0}, 0}, {{50, 3.71}, 0}}).sensing.line_of_sight(0, 0).what, Seen::wall);
     EXPECT_EQ(Scene({{{0, 0}, 0}, {{-50, 0}, 0}}).sensing.line_of_sight(0, 0).what, Seen::wall) << "behind";
@@ -110,7 +110,7 @@ TEST(LightRing, LeaksAboutHalf) {
 TEST(LightRing, OthersThrowShadows) {
     LightRing ring;
     ring.leak = 0;
-    // Three robots side by side wall off the light from the one behind.
+    // Three adjacent robots hide the light from the robot at the back.
     Scene scene({{{0, 0}, 0}, {{8, 0}, 0}, {{8, 7.4}, 0}, {{8, -7.4}, 0}});
     EXPECT_EQ(scene.sensing.lit_sensors(0, ring, {120, 0}), 0U);
     EXPECT_EQ(scene.sensing.lit_sensors(1, ring, {120, 0}), 4U);
@@ -130,7 +130,7 @@ WorldOptions crowded(std::size_t cells_from) {
     return options;
 }
 
-/// What the grid finds is what the look at every robot finds.
+/// The grid finds the same robots as a test of every robot.
 TEST(SensingProperty, GridAndBruteForceAgree) {
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
         World plain(crowded(1000000), seed), celled(crowded(0), seed);
@@ -154,7 +154,7 @@ TEST(SensingProperty, GridAndBruteForceAgree) {
     }
 }
 
-/// A ray and a robot, judged by sampling points along the ray.
+/// A ray and a robot, compared with samples of points along the ray.
 TEST(SensingProperty, RayAgreesWithWalkingAlongIt) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         World world(crowded(40), seed);
