@@ -1,4 +1,4 @@
-// The resolver's second half: expressions and patterns to code.
+// The resolver's second half: converts expressions and patterns to code.
 #include <algorithm>
 #include <utility>
 
@@ -51,8 +51,8 @@ const Code* Resolver::compile(const ExprPtr& expr) {
     }
 }
 
-// `[] e : S @ e -> P` offers the events of a set: one prefix of many events, not a choice of many prefixes. In a timed
-// section the choice waits for tock with all its operands, so it stays one there.
+// `[] e : S @ e -> P` offers the events of a set: one prefix with many events, not a choice of many prefixes. In a
+// timed section the choice synchronises all its operands on tock, so it stays a choice there.
 bool Resolver::offers_events(const Expr& choice) const {
     const Expr& body = *choice.args[0];
     if (timed_ != nullptr || choice.clauses.size() != 1 || body.kind != ExprKind::prefix) return false;
@@ -99,8 +99,8 @@ std::vector<ClauseCode> Resolver::clauses(const std::vector<Clause>& clauses) {
 
 namespace {
 
-// Arguments outside the scope of the clauses: the first process of a renaming, both of a linked
-// parallel, the interface of a replicated parallel.
+// Arguments outside the scope of the clauses: the first process of a renaming, both processes of a linked parallel, the
+// interface of a replicated parallel.
 bool outside_clauses(ExprKind kind, std::size_t arg) {
     if (kind == ExprKind::rename || kind == ExprKind::linked) return true;
     return (kind == ExprKind::replicated_parallel || kind == ExprKind::replicated_synchronising) && arg == 1;
@@ -235,7 +235,7 @@ void Resolver::let_value(const Decl& decl, LetScope& let) {
     }
 }
 
-// The names a pattern binds: those that are no constructors or channels.
+// The names that a pattern binds: those that are not constructors or channels.
 std::vector<std::string> Resolver::pattern_variables(const Pattern& pattern) {
     std::vector<std::string> result;
     if (pattern.kind == PatternKind::name) {
@@ -249,7 +249,7 @@ std::vector<std::string> Resolver::pattern_variables(const Pattern& pattern) {
     return result;
 }
 
-// A timed section in a let. Its duration function sees the script's names, not the let's.
+// A timed section in a let. Its duration function sees the script's names and not the let's.
 void Resolver::let_timed(const Decl& decl, LetScope& let) {
     TimedSection& section = program_.timed.emplace_back();
     const Binding* tock = find("tock", scope_);
@@ -281,7 +281,7 @@ const Code* Resolver::prefix(const Expr& expr, const std::vector<Clause>& offere
     code.args.push_back(compile(expr.args[1]));
     scope_ = outer_scope;
     unit_ = outer_unit;
-    // What the prefix needs of the frame around it is known only now; the chain of captures stands.
+    // The variables that the prefix captures from the enclosing frame are known only now; the chain of captures exists.
     return &code;
 }
 

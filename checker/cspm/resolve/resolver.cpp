@@ -116,7 +116,7 @@ void Resolver::declare(const std::vector<DeclPtr>& decls, const Target& target) 
     }
 }
 
-// Neighbouring clauses of one name make one function. Returns the index of the last.
+// Consecutive clauses of one name make one function. Returns the index of the last.
 std::size_t Resolver::declare_function(const std::vector<DeclPtr>& decls, std::size_t first, const Target& target) {
     const Decl& decl = *decls[first];
     std::size_t last = first;
@@ -136,7 +136,7 @@ std::size_t Resolver::declare_function(const std::vector<DeclPtr>& decls, std::s
     return last;
 }
 
-// A clause in a frame of its own: parameters, then the body.
+// A clause in a separate frame: parameters, then the body.
 void Resolver::clause_of(Function& function, const Decl& decl, Unit* parent, const Group* member_of) {
     FunctionClause clause;
     clause.unit = &new_unit(parent);
@@ -177,7 +177,7 @@ void pattern_names(const Pattern& pattern, std::vector<std::string>& out) {
 
 }  // namespace
 
-// (a, b) = (x, y) as a = x and b = y, so that neither waits for the other.
+// Converts (a, b) = (x, y) to a = x and b = y, so that neither waits for the other.
 std::vector<DeclPtr> Resolver::split_tuple(const Decl& decl) {
     const Pattern& pattern = *decl.patterns.at(0).at(0);
     const Expr* body = decl.body.get();
@@ -345,7 +345,7 @@ void Resolver::declare_module(const Decl& decl, const Target& target) {
     if (decl.parameters.empty()) fill(module, module.name + "::", target.timed, &new_scope(target.scope));
 }
 
-// The module's declarations: all of them in `inner`, the exported ones also under its name.
+// The module's declarations: all of them in `inner`, the exported ones also with its name as prefix.
 void Resolver::fill(Module& module, const std::string& prefix, TimedSection* timed, Scope* inner) {
     declare(module.decl->decls, {inner, nullptr, prefix, timed});
     declare(module.decl->exports, {inner, &module.exported, prefix, timed});
@@ -361,7 +361,7 @@ void Resolver::declare_instance(const Decl& decl, const Target& target) {
     jobs_.push_back([this, &module] { ensure(module); });
 }
 
-// Makes an instance: a copy of the module it names, with the parameters defined as the arguments.
+// Makes an instance: a copy of its module, in which the parameters are defined as the arguments.
 void Resolver::ensure(Module& module) {
     if (module.instance == nullptr) return;
     const Decl& decl = *module.instance;
@@ -409,7 +409,7 @@ const Resolver::Binding* Resolver::find_simple(std::string_view name, Scope* sco
     return nullptr;
 }
 
-// M::x is one name: what else is called M does not hide it (see types/names.cpp).
+// M::x is one name: another declaration of M does not hide it (see types/names.cpp).
 const Resolver::Binding* Resolver::find(std::string_view text, Scope* scope) {
     const std::size_t colons = text.find("::");
     if (colons == std::string_view::npos) return find_simple(text, scope);

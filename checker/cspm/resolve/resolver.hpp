@@ -1,6 +1,6 @@
-// From trees to code: scopes, modules and their instances, names to slots (code.hpp). A module without
-// parameters is part of the script under a longer name; an instance is a copy of its module's declarations
-// with the parameters defined as the arguments.
+// Converts trees to code: scopes, modules and their instances, names to slots (code.hpp). A module without parameters
+// is part of the script under a longer name; an instance is a copy of its module's declarations, in which the
+// parameters are defined as the arguments.
 #pragma once
 
 #include <deque>
@@ -18,12 +18,12 @@ class Resolver {
 public:
     Resolver(Program& program, ValueStore& store);
 
-    /// Called now and then while a script is compiled; may throw.
+    /// `poll` is called regularly while a script is compiled; it may throw.
     void watch(std::function<void()> poll) { poll_ = std::move(poll); }
     /// Declares and compiles a script's declarations.
     void script(const Script& script);
-    /// Compiles an expression in the script's global scope; `place` (an assertion of the script) gives the scope
-    /// of its module or timed section.
+    /// Compiles an expression in the script's global scope; if `place` is given (an assertion of the script), in the
+    /// scope of its module or timed section.
     const Code* expression(const ExprPtr& expr, const Decl* place, Unit*& unit);
 
 private:
@@ -46,7 +46,7 @@ private:
         const Decl* decl = nullptr;  // the module's own declaration
         Scope* outer = nullptr;      // the scope of that declaration
         Scope exported;
-        const Decl* instance = nullptr;  // set: to be made when first asked for
+        const Decl* instance = nullptr;  // set: to be created on first use
         Scope* instance_scope = nullptr;
         TimedSection* timed = nullptr;
         std::string name;  // qualified
@@ -63,7 +63,8 @@ private:
         TimedSection* timed = nullptr;
     };
 
-    // A let being compiled: its members, the slot of their environment, and what waits until all are declared.
+    // A let that is being compiled: its members, the slot of their environment, and tasks that wait until all members
+    // are declared.
     struct LetScope {
         Group& group;
         int slot;
@@ -137,7 +138,7 @@ private:
     Scope* scope_ = nullptr;
     Unit* unit_ = nullptr;
     TimedSection* timed_ = nullptr;
-    std::deque<DeclPtr> made_;  // declarations split from others
+    std::deque<DeclPtr> made_;  // declarations that result from splitting others
     std::uint32_t functions_ = 0;
     unsigned instances_ = 0;
 };

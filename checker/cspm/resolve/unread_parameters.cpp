@@ -1,5 +1,5 @@
-// A variable is read where its name stands, unless it stands there as a whole argument of a definition whose parameter
-// is not read. What is left after following these links backwards from the variables that are read is unread.
+// A variable is read wherever its name occurs, except as a whole argument for a parameter that is not read. Following
+// these links backwards from the variables that are read marks more variables as read; the others are unread.
 #include "checker/cspm/resolve/unread_parameters.hpp"
 
 #include <set>
@@ -39,7 +39,7 @@ private:
 
     const Program& program_;
     std::set<Variable> read_;
-    std::map<Variable, std::vector<Variable>> links_;  // where the first is read, the others are
+    std::map<Variable, std::vector<Variable>> links_;  // if the first is read, the others are too
 };
 
 void Reading::read(const Variable& variable) {
@@ -53,7 +53,7 @@ void Reading::read(const Variable& variable) {
     }
 }
 
-/// The definition that an application names and gives all its arguments; null if there is none.
+/// The definition that an application names, if it gives all its arguments; otherwise null.
 const Function* Reading::callee(const Code& code) const {
     if (code.kind != ExprKind::apply || code.args[0]->kind != ExprKind::name) return nullptr;
     const Code& name = *code.args[0];

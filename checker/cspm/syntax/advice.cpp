@@ -85,7 +85,7 @@ constexpr std::array foreign_signs{
     ForeignSign{"‘", "'"},   ForeignSign{"’", "'"},   ForeignSign{"∅", "{}"}, ForeignSign{"\xC2\xA0", " "},
 };
 
-/// The code of the character that a well-formed text begins with.
+/// The code point at the beginning of a well-formed text.
 char32_t first_code(std::string_view text, std::size_t length) {
     constexpr std::array<unsigned, 5> kept{0, 0x7fU, 0x1fU, 0x0fU, 0x07U};
     char32_t code = static_cast<unsigned char>(text[0]) & kept.at(length);
@@ -93,14 +93,14 @@ char32_t first_code(std::string_view text, std::size_t length) {
     return code;
 }
 
-/// The letters U+00C0 to U+017F without their accents; those that have two are written with the first.
+/// The letters U+00C0 to U+017F without their accents; ligatures are replaced by their first letter.
 constexpr char32_t first_accented = 0xc0;
 constexpr std::string_view without_accents =
     "AAAAAAACEEEEIIIIDNOOOOO*OUUUUYTsaaaaaaaceeeeiiiidnooooo/ouuuuyty"
     "AaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGgGgGgHhHhIiIiIiIiIiIiJjKkkLlLlLlL"
     "lLlNnNnNnnNnOoOoOoOoRrRrRrSsSsSsSsTtTtTtUuUuUuUuUuUuWwYyYZzZzZzs";
 
-/// Accents that are characters of their own, behind their letter.
+/// Accents as separate characters after their letter.
 bool is_accent(char32_t code) {
     return code >= 0x300 && code < 0x370;
 }

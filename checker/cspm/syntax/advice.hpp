@@ -1,4 +1,4 @@
-// What a mistake in a script probably means: by what was expected and what was found (parser.hpp).
+// Suggestions for errors in a script, selected by what was expected and what was found (parser.hpp).
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@
 
 namespace robochart::cspm {
 
-/// All rows; what is expected is as the messages say it: "'else'".
+/// All rows; the expected text is as in messages: "'else'".
 [[nodiscard]] std::span<const diagnostics::Advice> all_advice();
 
-/// The bytes of the letter beyond ASCII that the text begins with; 0 if it begins with none.
+/// The number of bytes of the non-ASCII letter at the beginning of the text; 0 if there is none.
 [[nodiscard]] std::size_t foreign_letter(std::string_view text);
-/// The name without the accents of its letters; "" where one has no plain letter.
+/// The name without the accents of its letters; "" if some letter has no ASCII form.
 [[nodiscard]] std::string in_plain_letters(std::string_view name);
-/// What CSPM writes for a symbol of books, such as `->` for an arrow; "" if none is known.
+/// The CSPM notation for a symbol used in books, such as `->` for an arrow; "" if none is known.
 [[nodiscard]] std::string_view written_for(std::string_view symbol);
 
 }  // namespace robochart::cspm

@@ -1,6 +1,6 @@
-// Small free functions that build CSPM syntax trees, for producers such as csp_emit.
-// They add no parentheses and no spans: the printer puts parentheses where the language needs them.
-// n-ary operators fold to the left, which is how the reader reads `P [] Q [] R` back.
+// Small free functions that build CSPM syntax trees, for producers such as csp_emit. They add no parentheses and no
+// spans: the printer adds parentheses where the language needs them. n-ary operators fold to the left, like the
+// reader's tree for `P [] Q [] R`.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ using Decls = std::vector<DeclPtr>;
 // ---------------------------------------------------------------- patterns
 
 [[nodiscard]] PatternPtr wildcard();
-/// A variable, or a constructor or channel of that name.
+/// A variable, or a constructor or channel with that name.
 [[nodiscard]] PatternPtr variable(std::string name);
 [[nodiscard]] PatternPtr integer_pattern(std::int64_t value);
 [[nodiscard]] PatternPtr boolean_pattern(bool value);
@@ -30,11 +30,11 @@ using Decls = std::vector<DeclPtr>;
 
 // ---------------------------------------------------------------- values
 
-/// Negative numbers become `negate` of their magnitude, as the reader has them.
+/// Negative numbers become `negate` of their magnitude, as in the reader's trees.
 [[nodiscard]] ExprPtr number(std::int64_t value);
 [[nodiscard]] ExprPtr boolean(bool value);
 [[nodiscard]] ExprPtr string(std::string value);
-/// A name, qualified by "::" if need be: `name("P::S::e")`.
+/// A name, qualified by "::" if necessary: `name("P::S::e")`.
 [[nodiscard]] ExprPtr name(std::string text);
 [[nodiscard]] ExprPtr tuple(Exprs parts);
 [[nodiscard]] ExprPtr sequence(Exprs items);
@@ -49,13 +49,13 @@ using Decls = std::vector<DeclPtr>;
 [[nodiscard]] ExprPtr productions(Exprs items);
 /// `{| heads | clauses |}`.
 [[nodiscard]] ExprPtr productions_comprehension(Exprs heads, std::vector<Clause> clauses);
-/// `a.b.c`; parts that are dots themselves are flattened; one part alone is itself.
+/// `a.b.c`; parts that are dots themselves are flattened; a single part is returned unchanged.
 [[nodiscard]] ExprPtr dot(Exprs parts);
 [[nodiscard]] ExprPtr apply(ExprPtr function, Exprs arguments);
-/// `function(arguments)`; with no arguments the plain name.
+/// `function(arguments)`; without arguments only the name.
 [[nodiscard]] ExprPtr call(std::string function, Exprs arguments = {});
 [[nodiscard]] ExprPtr lambda(Patterns parameters, ExprPtr body);
-/// `let decls within body`; without declarations the body itself.
+/// `let decls within body`; without declarations only the body.
 [[nodiscard]] ExprPtr let_(Decls decls, ExprPtr body);
 [[nodiscard]] ExprPtr if_(ExprPtr condition, ExprPtr then, ExprPtr otherwise);
 /// Any binary operator of ExprKind, on values or processes without a set argument.
@@ -120,7 +120,7 @@ using Decls = std::vector<DeclPtr>;
 [[nodiscard]] ExprPtr rename(ExprPtr process, std::vector<Link> links, std::vector<Clause> clauses = {});
 /// `P [ from <-> to, ... ] Q`.
 [[nodiscard]] ExprPtr linked(ExprPtr left, std::vector<Link> links, ExprPtr right);
-/// A replicated form `op clauses @ body`; `set` is the interface or alphabet of those kinds that have one.
+/// A replicated form `op clauses @ body`; `set` is the interface or alphabet for the kinds that have one.
 [[nodiscard]] ExprPtr replicated(ExprKind op, std::vector<Clause> clauses, ExprPtr body, ExprPtr set = nullptr);
 
 // ---------------------------------------------------------------- declarations
@@ -149,7 +149,7 @@ using Decls = std::vector<DeclPtr>;
 
 /// `assert specification [M= implementation`.
 [[nodiscard]] DeclPtr assert_refines(ExprPtr specification, Model, ExprPtr implementation, bool negated = false);
-/// `assert process :[property [M]]`; Model::none leaves the model to its default.
+/// `assert process :[property [M]]`; Model::none selects the property's default model.
 [[nodiscard]] DeclPtr assert_property(ExprPtr process, AssertionKind, Model = Model::none, bool negated = false);
 /// `assert process :[has trace [M]]: trace`; `trace` is a sequence.
 [[nodiscard]] DeclPtr assert_has_trace(ExprPtr process, ExprPtr trace, Model = Model::none, bool negated = false);

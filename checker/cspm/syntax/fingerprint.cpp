@@ -1,5 +1,4 @@
-// The parts are taken in the order in which syntax.cpp compares them, and nothing else is: no comments, no spans, no
-// parentheses.
+// The parts are hashed in the order in which syntax.cpp compares them, without comments, spans and parentheses.
 #include "checker/cspm/syntax/fingerprint.hpp"
 
 #include <string_view>
@@ -30,7 +29,7 @@ private:
     void word(std::uint64_t value) { result_.hash = mixed(result_.hash, value); }
     void text(std::string_view value) {
         word(value.size());
-        // FNV-1a: the text's own hash, whatever the library's std::hash may be.
+        // FNV-1a, which does not depend on the library's std::hash.
         std::uint64_t hash = 0xcbf29ce484222325U;
         for (const char each : value) hash = (hash ^ static_cast<unsigned char>(each)) * 0x100000001b3U;
         word(hash);
@@ -80,7 +79,7 @@ private:
         result_.size += 2;
     }
     void field(const Field& field) {
-        const FieldKind kind = field.kind == FieldKind::dot ? FieldKind::output : field.kind;  // as syntax.cpp has it
+        const FieldKind kind = field.kind == FieldKind::dot ? FieldKind::output : field.kind;  // as in syntax.cpp
         word(static_cast<std::uint64_t>(kind));
         expr(field.value);
         pattern(field.pattern);

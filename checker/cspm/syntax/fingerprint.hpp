@@ -1,5 +1,5 @@
-// What a syntax tree says, as a number: trees that compare equal (syntax.hpp) have equal fingerprints. Whoever looks
-// for equal trees among many need not print them, nor compare each with each.
+// The content of a syntax tree as a number: trees that compare equal (syntax.hpp) have equal fingerprints. This finds
+// equal trees among many without printing them or comparing every pair.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,18 @@ namespace robochart::cspm {
 
 struct Fingerprint {
     std::uint64_t hash = 0;
-    std::size_t size = 0;  ///< about as many as the characters of its text, without white space
+    std::size_t size = 0;  ///< approximately the number of characters of its text without white space
 };
 
-/// Takes fingerprints; those of modules are kept, so that a module inside others is looked at once.
+/// Computes fingerprints; those of modules are cached, so that nested modules are visited once.
 class Fingerprints {
 public:
-    /// Of what a module exports, whatever its own name is.
+    /// The fingerprint of a module's exports, independent of its name.
     [[nodiscard]] Fingerprint of_exports(const DeclPtr& module);
 
 private:
     class Digest;
-    std::map<DeclPtr, Fingerprint> exports_;  ///< looked up only
+    std::map<DeclPtr, Fingerprint> exports_;  ///< never iterated
 };
 
 }  // namespace robochart::cspm

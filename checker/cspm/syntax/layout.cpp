@@ -29,7 +29,7 @@ void Layout::place(Kind kind, std::string text) {
     pieces_.push_back({kind, std::move(text)});
 }
 
-// For each `open`, the width of its group on one line; never_fits if it holds a hard line end.
+// For each `open`, the width of its group on one line; never_fits if it contains a hard line end.
 std::vector<std::size_t> Layout::group_widths() const {
     std::vector<std::size_t> result(pieces_.size(), 0);
     std::vector<std::size_t> starts;

@@ -1,5 +1,5 @@
-// Text with places where a line may end, and the choice of those that do: groups break all their places
-// if they do not fit (Oppen 1980, with consistent breaking).
+// Text with places where a line may end, and the selection of those that do: a group breaks at all its places if it
+// does not fit (Oppen 1980, with consistent breaking).
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ class Layout {
 public:
     explicit Layout(std::size_t width) : width_(width) {}
 
-    /// Text without line ends. Spaces are put in where two texts would join to another token: `{-`, `<-`, `{|`.
+    /// Text without line ends. Spaces are inserted where two texts would join to another token: `{-`, `<-`, `{|`.
     void text(std::string_view piece);
     void space_or_line() { place(Kind::line, " "); }
     void line() { place(Kind::hard_line, ""); }
@@ -35,7 +35,7 @@ private:
     [[nodiscard]] std::vector<std::size_t> group_widths() const;
 
     std::size_t width_;
-    char last_ = '\0';  // the character before, on the same line
+    char last_ = '\0';  // the previous character on the same line
     std::vector<Piece> pieces_;
 };
 

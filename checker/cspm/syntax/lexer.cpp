@@ -16,8 +16,8 @@ namespace {
 
 using diagnostics::Span;
 
-// How line ends around a token are read (FDR's lexer, libcspm Lexer.x): `before`: line ends before the token
-// vanish, since it cannot begin an expression or declaration; `after`: line ends after it vanish.
+// How line ends around a token are read (FDR's lexer, libcspm Lexer.x): `before`: line ends before the token are
+// ignored, since it cannot begin an expression or declaration; `after`: line ends after it are ignored.
 enum LineBreaks : std::uint8_t { plain = 0, before = 1, after = 2, both_sides = 3 };
 
 struct Symbol {
@@ -162,7 +162,7 @@ private:
                 arrow_comment();
                 at_ = std::min(text_.find('\n', at_), text_.size());
             } else if (looking_at("{-")) {
-                line_end_ = false;  // FDR's lexer takes the line ends before a block comment into it
+                line_end_ = false;  // in FDR's lexer, the line ends before a block comment belong to it
                 block_comment();
             } else {
                 return;
@@ -170,7 +170,7 @@ private:
         }
     }
 
-    /// `a --> P`: behind something on its line.
+    /// `a --> P`: a comment that begins after other text on its line, which is probably meant as an arrow.
     void arrow_comment() {
         if (!looking_at("-->") || line_end_ || tokens_.empty() || tokens_.back().kind == Tok::newline) return;
         const Span place{source_, static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_ + 3)};
@@ -194,7 +194,7 @@ private:
         } while (depth > 0);
     }
 
-    // A set that begins with a negative number is read as one, so that the rest of the script is not lost.
+    // A set that begins with a negative number is parsed as one, so that the rest of the script is not lost.
     void open_comment(std::size_t from) {
         const Span place{source_, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(from + 2)};
         diagnostics::Diagnostic& finding = diagnostics_.report(rules::open_comment, place);
@@ -259,7 +259,7 @@ private:
         emit(Tok::identifier, from, plain);
     }
 
-    // Said once of each name, which then counts as one.
+    // Reported once for each name, which is then accepted as a name.
     void foreign_name(std::size_t from) {
         const std::string name(text_.substr(from, at_ - from));
         if (!foreign_names_.insert(name).second) return;
@@ -275,7 +275,7 @@ private:
         return tokens_.back().kind == Tok::l_brace && line_end_;
     }
 
-    // `print` takes the rest of its line, whatever the next line begins with.
+    // `print` takes the rest of its line, independently of the beginning of the next line.
     void print(std::size_t from) {
         emit(Tok::print, from, after);
         const std::size_t line = std::min(text_.find('\n', at_), text_.size());
@@ -354,7 +354,7 @@ private:
         emit(Tok::character, from, before, static_cast<unsigned char>(value));
     }
 
-    // `:[words [M]]` or `:[words]:` is one token; the parser reads what is inside.
+    // `:[words [M]]` or `:[words]:` is one token; the parser parses its contents.
     void property() {
         const std::size_t from = at_;
         const std::size_t line = std::min(text_.find('\n', at_), text_.size());
@@ -368,7 +368,7 @@ private:
             return;
         }
         at_ = close + 1;
-        if (peek() == ':') ++at_;  // FDR's lexer takes `]:` for `]` behind every property
+        if (peek() == ':') ++at_;  // FDR's lexer accepts `]:` for `]` after every property
         const std::string_view inside = text_.substr(from + 2, close - from - 2);
         const bool takes_more =
             inside.find("trace") != std::string_view::npos || inside.find("priority") != std::string_view::npos;
@@ -413,7 +413,7 @@ private:
         return true;
     }
 
-    // What was meant, if it is a token, so that the rest of the declaration is read.
+    // Emits the intended token, if there is one, so that the rest of the declaration can be parsed.
     void read_as(std::string_view written, std::size_t from) {
         if (const auto* word = std::ranges::find(words, written, &Symbol::text); word != words.end())
             return emit(word->kind, from, word->layout);
@@ -448,11 +448,11 @@ private:
     diagnostics::Diagnostics& diagnostics_;
     std::size_t at_ = 0;
     bool line_end_ = false;        // a line end was skipped since the last token,
-    std::size_t line_end_at_ = 0;  // the first of them here
-    bool soaking_ = true;          // the last token lets line ends after it vanish
+    std::size_t line_end_at_ = 0;  // the first of them is here
+    bool soaking_ = true;          // line ends after the last token are ignored
     bool blank_before_ = false;    // white space precedes the token
     std::vector<Token> tokens_;
-    std::set<std::string> foreign_names_;  // that have been reported
+    std::set<std::string> foreign_names_;  // names that have been reported
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// CSPM text to tokens, with FDR's layout rule: a line end is a token of its own unless the token before it
-// cannot end an expression, or the token after it cannot begin one or a declaration.
+// Converts CSPM text to tokens, with FDR's layout rule: a line end is a token unless the token before it cannot end an
+// expression, or the token after it cannot begin one or a declaration.
 #pragma once
 
 #include <cstdint>
@@ -35,14 +35,14 @@ enum class Tok : std::uint8_t {
 struct Token {
     Tok kind = Tok::end;
     diagnostics::Span span;
-    std::string_view text;    ///< the text covered
+    std::string_view text;    ///< the covered text
     std::int64_t number = 0;  ///< integer value, character code
 };
 
-/// All tokens of a text; the last is `end`. Broken pieces are reported and left out.
+/// All tokens of a text; the last is `end`. Malformed tokens are reported and skipped.
 [[nodiscard]] std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics&);
 
-/// How a token is named in messages: its spelling in quotes, or what it is.
+/// The name of a token in messages: its spelling in quotes, or a description.
 [[nodiscard]] std::string_view spelling(Tok kind);
 
 }  // namespace robochart::cspm

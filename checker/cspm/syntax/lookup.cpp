@@ -1,5 +1,4 @@
-// Looks up qualified names in the syntax tree of a script: modules by name, instances by the module that they
-// instantiate.
+// Looks up qualified names in the syntax tree of a script: modules by name, instances by their module.
 #include "checker/cspm/syntax/lookup.hpp"
 
 #include <algorithm>
@@ -10,7 +9,7 @@ namespace {
 
 constexpr std::string_view separator = "::";
 
-/// Lists of declarations, the outermost first: where a name may stand that is used in the last of them.
+/// Lists of declarations, the outermost first: the scopes of a name that is used in the last of them.
 using Scopes = std::vector<const std::vector<DeclPtr>*>;
 
 bool declares(const Decl& decl, std::string_view name) {
@@ -31,7 +30,7 @@ bool declares(const Decl& decl, std::string_view name) {
     }
 }
 
-/// Timed sections are no scopes of their own.
+/// Timed sections are not scopes.
 DeclPtr declared(const std::vector<DeclPtr>& decls, std::string_view name) {
     for (const DeclPtr& decl : decls) {
         if (declares(*decl, name)) return decl;
@@ -50,7 +49,7 @@ DeclPtr found(std::string_view path, const Scopes& scopes) {
     return inside(first, path.substr(end + separator.size()), scopes);
 }
 
-/// An instance is made of a module that can be seen where the instance stands; modules inside see what is around them.
+/// The module of an instance must be visible at the instance; inner modules see the declarations around them.
 DeclPtr inside(const DeclPtr& decl, std::string_view path, const Scopes& scopes) {
     if (decl->kind == DeclKind::module) {
         for (const auto* part : {&decl->exports, &decl->decls}) {

@@ -1,4 +1,4 @@
-// What is declared where in the text of a script: for tools that look at scripts without evaluating them.
+// Finds declarations in the text of a script, for tools that read scripts without evaluating them.
 #pragma once
 
 #include <string>
@@ -9,15 +9,16 @@
 
 namespace robochart::cspm {
 
-/// The names that a declaration brings into its scope: constructors too, of a value the variables that are its pattern.
+/// The names that a declaration adds to its scope, including constructors and, for a value, the variables of its
+/// pattern.
 [[nodiscard]] std::vector<std::string> declared_names(const Decl& decl);
 
-/// The declaration of `path`, a name or `A::B::name` with or without a `::` in front: into modules, their private parts
-/// too, into timed sections, and from an instance into the module that it is made of. Of a function the first clause.
-/// Null if there is none.
+/// The declaration of `path`, a name or `A::B::name`, with or without a leading `::`. Searches modules including their
+/// private parts, timed sections, and for an instance its module. For a function, returns the first clause. Null if
+/// there is none.
 [[nodiscard]] DeclPtr declaration_of(const Script& script, std::string_view path);
 
-/// The assertions among declarations in their order, those inside modules and timed sections too.
+/// The assertions among declarations in order, including those inside modules and timed sections.
 [[nodiscard]] std::vector<DeclPtr> assertions_in(const std::vector<DeclPtr>& decls);
 
 }  // namespace robochart::cspm

@@ -1,4 +1,4 @@
-// Calls of functions that somebody wants to know of: which values were really asked for while processes were explored.
+// Calls of observed functions: the arguments and results that were actually evaluated while processes were explored.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@
 
 namespace robochart::cspm {
 
-/// One evaluation of a call of a watched function.
+/// One evaluation of a call of an observed function.
 struct ObservedCall {
     std::string function;
-    diagnostics::Span span;                           ///< of the call
-    std::vector<std::optional<std::int64_t>> values;  ///< the arguments that are numbers, in their places
-    std::optional<std::int64_t> result;               ///< if it is a number
+    diagnostics::Span span;                           ///< place of the call
+    std::vector<std::optional<std::int64_t>> values;  ///< by argument: its value if it is a number
+    std::optional<std::int64_t> result;               ///< its value if it is a number
 };
 
-/// Top-level functions to be observed, and the callback.
+/// The top-level functions to observe, and the callback.
 struct CallObserver {
     std::set<std::string> functions;
     std::function<void(const ObservedCall&)> tell;

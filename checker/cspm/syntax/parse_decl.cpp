@@ -1,4 +1,4 @@
-// Declarations, assertions, and the lists in which each kind is allowed.
+// Declarations, assertions, and the kinds of declarations that each list allows.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -24,7 +24,7 @@ void Parser::newlines() {
     }
 }
 
-// Declarations up to `done`. Errors are caught here, except in a `let`, whose declaration is then lost whole.
+// Declarations up to `done`. Errors are caught here, except in a `let`, whose whole declaration is then dropped.
 std::vector<DeclPtr> Parser::declarations(Place place, bool (Parser::*done)() const) {
     std::vector<DeclPtr> result;
     newlines();
@@ -48,7 +48,7 @@ std::vector<DeclPtr> Parser::declarations(Place place, bool (Parser::*done)() co
 namespace {
 constexpr std::size_t widest_margin = 200;
 
-// Characters before the token on its line, counted up to `most`.
+// The number of characters before the token on its line, at most `most`.
 std::size_t margin(const Token& token, std::size_t most) {
     std::size_t result = 0;
     while (result < most && result < token.span.begin && *(token.text.data() - result - 1) != '\n') ++result;
@@ -56,7 +56,7 @@ std::size_t margin(const Token& token, std::size_t most) {
 }
 }  // namespace
 
-// Goes on at the next line that begins no further to the right than the broken declaration did.
+// Continues at the next line that begins no further to the right than the malformed declaration.
 void Parser::recover(Span from, bool (Parser::*done)() const) {
     open_sequences_ = 0;
     const auto first =
@@ -304,7 +304,7 @@ struct PropertyText {
     std::string model;
 };
 
-// Takes `:[words [M]]:` apart.
+// Splits `:[words [M]]:`.
 PropertyText split_property(std::string_view text) {
     PropertyText result;
     text.remove_prefix(2);
@@ -449,7 +449,7 @@ Place timed_inside(Place outer) {
     }
 }
 
-// As FDR's front end (libcspm, Parser.ppy).
+// As in FDR's front end (libcspm, Parser.ppy).
 std::string misplaced(DeclKind kind, Place place) {
     const bool asks = kind == DeclKind::assertion || kind == DeclKind::print;
     switch (place) {
@@ -490,7 +490,7 @@ std::vector<std::string> declared(const Decl& decl) {
 
 }  // namespace
 
-// Each annotation belongs to one declaration of the same list, and each declaration takes one at most.
+// Each annotation belongs to one declaration of the same list, and each declaration may have at most one.
 void Parser::check_annotations(const std::vector<DeclPtr>& decls) {
     std::map<std::string, const Decl*> annotated;
     for (const DeclPtr& decl : decls) {

@@ -69,8 +69,8 @@ ExprPtr Parser::expression(int minimum) {
     return climb(operand(), minimum);
 }
 
-// What may follow an operand. Hiding binds loosest of all on its left, yet its right side is one operand:
-// FDR reads `P \ A ||| Q` as `(P \ A) ||| Q`.
+// The operators after an operand. Hiding has the lowest precedence on its left, but its right side is one operand: FDR
+// parses `P \ A ||| Q` as `(P \ A) ||| Q`.
 ExprPtr Parser::climb(ExprPtr left, int minimum) {
     for (;;) {
         const Tok next = peek().kind;
@@ -201,7 +201,7 @@ ExprPtr Parser::square_infix(ExprPtr left) {
     return finish(std::move(result), from);
 }
 
-// `P [T Q` and `P [FDR= Q`.
+// `P [T Q` and `P [FDR= Q`, incomplete refinements.
 void Parser::half_refinement(const Expr& model, Span process) {
     const bool named = model.kind == ExprKind::name && !model.text.empty() && model.text.size() <= 3 &&
                        std::ranges::all_of(model.text, [](char c) { return c >= 'A' && c <= 'Z'; });
@@ -258,7 +258,7 @@ std::vector<Clause> Parser::clauses() {
 
 Clause Parser::clause() {
     if (!generator_ahead()) {
-        // A process is no condition.
+        // A process is not a condition.
         if (at(Tok::identifier) && peek(1).kind == Tok::arrow) {
             take();
             fail("'<-'");
@@ -292,9 +292,9 @@ bool ends_operand(Tok kind) {
 
 }  // namespace
 
-// A clause is a generator if `<-` or `:` comes before it ends; patterns look like expressions until then.
+// A clause is a generator if `<-` or `:` occurs before its end; up to there, patterns look like expressions.
 bool Parser::generator_ahead() const {
-    std::vector<bool> open;  // true: a sequence, which alone a `>` closes
+    std::vector<bool> open;  // true: a sequence, the only bracket that `>` closes
     Tok previous = Tok::comma;
     for (std::size_t ahead = 0;; ++ahead) {
         const Tok kind = peek(ahead).kind;

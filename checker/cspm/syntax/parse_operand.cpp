@@ -248,7 +248,7 @@ ExprPtr Parser::replicated_bracketed(ExprKind kind, Tok close) {
     return finish(std::move(result), from);
 }
 
-// || x:S @ [A] P: its body ends where a parallel operator's would.
+// | x:S @ [A] P: its body ends where that of a parallel operator would end.
 ExprPtr Parser::alphabetised_replication() {
     const Span from = take().span;
     ExprNode result;
@@ -263,7 +263,7 @@ ExprPtr Parser::alphabetised_replication() {
     return finish(std::move(result), from);
 }
 
-// [a <-> b | clauses] x:s @ P: the links' own clauses come first in the tree, as conditions of the links.
+// [a <-> b | clauses] x:s @ P: the links' own clauses are first in the tree, as conditions of the links.
 ExprPtr Parser::replicated_square() {
     const Span from = take().span;
     ExprNode result;

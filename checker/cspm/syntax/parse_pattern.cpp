@@ -1,5 +1,5 @@
-// Patterns. FDR reads them as expressions and converts them, so they share the expressions' precedences:
-// @@ is looser than `.`, which is looser than ^.
+// Patterns. FDR parses them as expressions and converts them, so they have the expressions' precedences: @@ is lower
+// than `.`, which is lower than ^.
 #include <algorithm>
 #include <string>
 
@@ -12,7 +12,7 @@ namespace {
 enum PatternLevel { both_level = 0, dot_level = 1, concat_level = 2 };
 }  // namespace
 
-// Chains of operators make height without depth: `x^y^z…` leans to the left.
+// Chains of operators increase the height of the tree without recursion: `x^y^z…` is left-associative.
 PatternPtr Parser::finish(PatternNode pattern, Span from) {
     pattern.span = since(from);
     for (const PatternPtr& arg : pattern.args)

@@ -1,4 +1,5 @@
-// Types as written in annotations (`f :: (Int) -> {Event}`): checked for form, kept as text in one spelling.
+// Types in annotations (`f :: (Int) -> {Event}`): their syntax is checked, and they are stored as text in a canonical
+// form.
 #include "checker/cspm/syntax/parser.hpp"
 #include "checker/cspm/syntax/rules.hpp"
 

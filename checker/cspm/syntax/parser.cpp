@@ -35,8 +35,8 @@ std::string described(Tok kind) {
     return spelt ? "'" + text + "'" : text;
 }
 
-/// The word that a misspelt one was probably meant to be: what is expected there, or the word for a declaration in
-/// front of it. "" if none is near.
+/// The word that a misspelt one probably means: an expected one, or the keyword of a declaration before it. "" if none
+/// is similar.
 std::string meant_word(std::string_view expected, const Token& found, const Token* before) {
     if (found.kind == Tok::identifier && expected.size() > 3 && expected.front() == '\'') {
         const std::string word(expected.substr(1, expected.size() - 2));
@@ -136,7 +136,7 @@ Parser::Depth::Depth(Parser& parser) : parser_(parser) {
 
 // ---------------------------------------------------------------- nodes
 
-// Every tree the parser meets is one it made, so the casts below are right by construction.
+// The parser has built every tree that it visits, so the casts below are safe.
 unsigned Parser::height(const ExprPtr& expr) {
     return expr ? static_cast<const ExprNode&>(*expr).height : 0;
 }

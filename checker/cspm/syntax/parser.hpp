@@ -1,5 +1,5 @@
-// Recursive-descent reader of CSPM; operators by precedence climbing. The precedence table is the one FDR's
-// own grammar has (libcspm, Parser.ppy), loosest first; see parse_expr.cpp.
+// Recursive-descent parser for CSPM; operators by precedence climbing. The precedence table is that of FDR's own
+// grammar (libcspm, Parser.ppy), lowest first; see parse_expr.cpp.
 #pragma once
 
 #include <string>
@@ -13,17 +13,17 @@
 
 namespace robochart::cspm {
 
-/// Which list a declaration stands in.
+/// The kind of list that contains a declaration.
 enum class Place { top, module, let, timed, timed_in_module };
-/// The list of a timed section that stands in this one.
+/// The list of a timed section inside this one.
 [[nodiscard]] Place timed_inside(Place outer);
-/// Where a declaration of this kind may not stand: "in a module"; "" if it may.
+/// The place where a declaration of this kind is forbidden: "in a module"; "" if it is allowed.
 [[nodiscard]] std::string misplaced(DeclKind kind, Place place);
 void report_misplaced(const Decl& decl, Place place, diagnostics::Diagnostics& diagnostics);
 
 class Parser {
 public:
-    /// Deepest recursion while reading, and greatest height of a tree (chains of operators make height too).
+    /// Maximal depth of recursion, and maximal height of a tree (chains of operators also increase the height).
     static constexpr unsigned max_depth = 800;
     static constexpr unsigned max_height = 4000;
 
@@ -35,8 +35,8 @@ public:
 private:
     struct SyntaxError {};
 
-    // Nodes remember their height while the reader works, so that no tree grows beyond max_height, no
-    // pattern beyond max_depth.
+    // Nodes store their height during parsing, so that no tree becomes higher than max_height, and no pattern higher
+    // than max_depth.
     struct ExprNode : Expr {
         unsigned height = 0;
     };
@@ -56,7 +56,7 @@ private:
     private:
         Parser& parser_;
     };
-    // Inside brackets a `>` is an operator again even if a sequence is open outside them.
+    // Inside brackets a `>` is an operator, even if they are inside a sequence.
     class Bracket {
     public:
         explicit Bracket(Parser& parser) : parser_(parser), open_(std::exchange(parser.open_sequences_, 0)) {}
@@ -76,9 +76,9 @@ private:
     bool accept(Tok kind);
     const Token& expect(Tok kind);
     [[noreturn]] void fail(std::string_view expected);
-    /// The bracket before this place that one of this kind, which is expected, would close; null if there is none.
+    /// The opening bracket that the expected closing bracket would match; null if there is none.
     [[nodiscard]] const Token* open_bracket(std::string_view expected) const;
-    /// The same where the caller knows what is probably meant, and which part of the text shows it.
+    /// The same if the caller knows the probable meaning, and the part of the text that shows it.
     [[noreturn]] void fail(std::string_view expected, std::string_view advice, Span about);
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
     [[nodiscard]] Span since(Span from) const;
@@ -165,7 +165,7 @@ private:
     [[nodiscard]] bool at_brace() const { return at(Tok::r_brace) || at(Tok::end); }
     [[nodiscard]] bool annotation_ahead() const;
 
-    // types as written in annotations, kept as text in one spelling
+    // types in annotations, stored as text in a canonical form
     std::string type();
     std::string type_operand(bool& grouped);
     std::string type_scheme();

@@ -109,7 +109,7 @@ void Printer::declaration(const Decl& decl) {
             out_.text(" :: " + decl.text);
             break;
         case DeclKind::print:
-            out_.text("print " + on_one_line(decl.body));  // FDR takes the rest of the line
+            out_.text("print " + on_one_line(decl.body));  // FDR reads the rest of the line
             break;
         case DeclKind::assertion:
             assertion(decl.assertion);
@@ -157,7 +157,7 @@ void Printer::block(const std::vector<DeclPtr>& decls) {
     declarations(decls);
 }
 
-// The group around a declaration has indented once; the module's own words stand one step to the left.
+// The group around a declaration has indented once; the module's own keywords are one level to the left.
 void Printer::module(const Decl& decl) {
     out_.text("module " + decl.names.at(0));
     if (!decl.parameters.empty()) {

@@ -15,7 +15,7 @@ struct Writing {
     std::string_view op;
 };
 
-// Level and spelling of the operators; atoms and bracketed forms have the highest level.
+// Precedence and spelling of the operators; atoms and bracketed forms have the highest precedence.
 Writing writing(ExprKind kind) {
     switch (kind) {
         case ExprKind::lambda:
@@ -214,7 +214,7 @@ void Printer::binary_value(const Expr& expr, int level, std::string_view op) {
     const bool chains = level != compare_level;
     out_.open();
     expression(expr.args[0], chains ? level : level + 1);
-    // A line may end after every operator but `>`, and before every one but `-` and `<`.
+    // A line may end after every operator except `>`, and before every one except `-` and `<`.
     const bool before = expr.kind == ExprKind::greater;
     if (before)
         out_.space_or_line();
@@ -229,7 +229,7 @@ void Printer::binary_value(const Expr& expr, int level, std::string_view op) {
     out_.close();
 }
 
-// Names, calls, bracketed forms, prefixes and guards need no parentheses beside a process operator.
+// Names, calls, bracketed forms, prefixes and guards need no parentheses as operands of a process operator.
 void Printer::process_operand(const ExprPtr& given) {
     const Expr* expr = &bare(given);
     const bool alone = expr->kind == ExprKind::prefix || expr->kind == ExprKind::guard;
@@ -383,7 +383,7 @@ void Printer::let(const Expr& expr) {
     out_.outdent();
 }
 
-// if a then P else if b then Q else R: the chain in one group, without drifting to the right.
+// if a then P else if b then Q else R: the chain in one group, without growing indentation.
 void Printer::conditional(const Expr& given) {
     const Expr* expr = &given;
     out_.open();

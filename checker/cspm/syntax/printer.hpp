@@ -1,6 +1,6 @@
-// Trees to text that FDR accepts. Value operators get the parentheses their levels need (levels.hpp);
-// operands of process operators get them unless they are plainly self-contained. Lines end only where
-// FDR's lexer lets line ends vanish (lexer.cpp).
+// Prints trees as text that FDR accepts. Operands of value operators get the parentheses that their precedence requires
+// (levels.hpp); operands of process operators get them unless they are self-contained. Lines end only where FDR's lexer
+// ignores line ends (lexer.cpp).
 #pragma once
 
 #include <string>
@@ -62,7 +62,7 @@ private:
     void assertion(const Assertion& assertion);
 
     Layout& out_;
-    bool inside_sequence_ = false;  // a bare `>` would close it
+    bool inside_sequence_ = false;  // an unbracketed `>` would close it
 };
 
 }  // namespace robochart::cspm

@@ -23,10 +23,10 @@ Script read(const SourceManager& sources, SourceId source, Diagnostics& diagnost
 
 namespace {
 
-// Puts the declarations of included files in place of the `include` lines.
+// Replaces `include` lines by the declarations of the included files.
 class Includer {
 public:
-    // Files that include others several times each make a script exponentially long.
+    // Files that each include others several times make a script exponentially long.
     static constexpr std::size_t max_open = 200;
     static constexpr std::size_t max_files = 10000;
 
@@ -68,7 +68,7 @@ private:
         return std::nullopt;
     }
 
-    /// `read_at`: where the reader of their file has judged them to stand; `place`: where they stand in the script.
+    /// `read_at`: the kind of list for which the parser has checked them; `place`: their list in the script.
     std::vector<DeclPtr> expand(const std::vector<DeclPtr>& decls, const std::filesystem::path& folder, Place read_at,
                                 Place place) {
         std::vector<DeclPtr> result;
@@ -97,7 +97,7 @@ private:
     const Loader& load_;
     std::size_t files_ = 0;
     std::size_t bytes_ = 0;
-    bool full_ = false;  // it has been said that there is too much
+    bool full_ = false;  // the excessive size has been reported
     std::vector<std::filesystem::path> open_;
     std::error_code ignored_;
 };

@@ -1,4 +1,4 @@
-// CSPM text to syntax tree and back.
+// Converts CSPM text to syntax trees and back.
 #pragma once
 
 #include <functional>
@@ -10,22 +10,24 @@
 
 namespace robochart::cspm {
 
-/// Reads a text. `include` declarations stay in the tree. Errors become diagnostics; the rest is still read.
+/// Parses a text. `include` declarations stay in the tree. Errors are reported as diagnostics; the rest is still
+/// parsed.
 [[nodiscard]] Script read(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&);
-/// Reads a file and, in place, the files it includes (relative to the including file; each once a place; cycles are
-/// errors, and so is more than a script can need: see reader.cpp).
+/// Parses a file and, in place, the files that it includes (relative to the including file; each once in each place).
+/// Cycles are errors, and so is an excessive size (see reader.cpp).
 [[nodiscard]] Script read_file(diagnostics::SourceManager&, const std::string& path, diagnostics::Diagnostics&);
 
-/// Adds the text of a file to the sources. On failure returns nothing and sets `error` to the cause in words.
+/// Adds the text of a file to the sources. On failure returns no value and sets `error` to a description of the cause.
 using Loader = std::function<std::optional<diagnostics::SourceId>(const std::string& path, std::string& error)>;
-/// The same where the texts of some files are not those on disk.
+/// The same if the texts of some files are not those on disk.
 [[nodiscard]] Script read_file(diagnostics::SourceManager&, const std::string& path, diagnostics::Diagnostics&,
                                const Loader& load);
 
-/// Writes a tree as text that FDR accepts and `read` maps back to an equal tree. Stable; lines up to about 110 columns.
+/// Prints a tree as text that FDR accepts and that `read` converts back to an equal tree. Deterministic; lines have up
+/// to about 110 columns.
 [[nodiscard]] std::string print(const Script&);
 [[nodiscard]] std::string print(const ExprPtr&);
-/// Without its comment, and without a line end behind it.
+/// Without its comment, and without a final line end.
 [[nodiscard]] std::string print(const Decl&);
 
 }  // namespace robochart::cspm

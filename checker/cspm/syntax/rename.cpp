@@ -10,7 +10,7 @@ const std::string& in(const NewNames& names, const std::string& old) {
     return found == names.end() ? old : found->second;
 }
 
-/// `A::b::c` in its parts; a `::` in front is an empty one.
+/// Splits `A::b::c` into its parts; a leading `::` gives an empty part.
 std::vector<std::string> parts_of(const std::string& name) {
     std::vector<std::string> result;
     std::size_t at = 0;

@@ -1,5 +1,5 @@
-// Syntax trees with other names in them, and the names that patterns in them bind. Names are changed wherever they
-// stand, whatever they mean there: whoever calls this chooses names that mean one thing, or nothing, in the tree.
+// Renames names in syntax trees, and finds the names that patterns bind. A name is renamed wherever it occurs,
+// independently of its meaning there, so the caller must choose names that have at most one meaning in the tree.
 #pragma once
 
 #include <map>
@@ -14,24 +14,24 @@ namespace robochart::cspm {
 /// New names by old ones.
 using NewNames = std::map<std::string, std::string>;
 
-/// The declarations with the new names; of a qualified name `A::b` the first part may have one. They themselves if
+/// The declarations with the new names; in a qualified name `A::b`, the first part may be renamed. The same objects if
 /// there are no new names.
 [[nodiscard]] std::vector<DeclPtr> renamed(const std::vector<DeclPtr>& decls, const NewNames& names);
 
-/// New names of plain names, and of the parts of qualified ones. What stands behind one of `modules`, which the
-/// declarations themselves have, is renamed as a plain name is.
+/// New names for plain names, and for the parts of qualified ones. A name after one of `modules`, which are declared in
+/// the tree itself, is renamed like a plain name.
 struct QualifiedNames {
     NewNames plain;
-    NewNames first, inside, last;  ///< of `A::b::c`: A, b and c
+    NewNames first, inside, last;  ///< for `A::b::c`: A, b and c
     std::set<std::string> modules;
 };
 [[nodiscard]] std::vector<DeclPtr> renamed(const std::vector<DeclPtr>& decls, const QualifiedNames& names);
 
-/// Parameters of functions, lambdas and modules, variables of generators, inputs and local definitions. What stands
-/// there and is a channel or a constructor where the tree is used would be a pattern that matches only that.
+/// Parameters of functions, lambdas and modules, variables of generators, inputs and local definitions. If such a name
+/// is also a channel or a constructor where the tree is used, it becomes a pattern that matches only that value.
 [[nodiscard]] std::set<std::string> bound_names(const std::vector<DeclPtr>& decls);
 
-/// Names that a value declaration binds outside expressions: of the modules' exported and private parts too.
+/// Names that value declarations bind outside expressions, including those in exported and private parts of modules.
 [[nodiscard]] std::set<std::string> value_names(const std::vector<DeclPtr>& decls);
 
 }  // namespace robochart::cspm

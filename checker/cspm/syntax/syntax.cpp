@@ -23,8 +23,8 @@ bool equal_decl_pointers(const DeclPtr& a, const DeclPtr& b) {
     return a == b || (a && b && equal(*a, *b));
 }
 
-// A dot field is a matter of writing: `c.x?y` has its x in the event, and `c?y.x` is a pattern, so the
-// printer writes what is left of dot fields as `!x`.
+// A dot field is only a notation: `c.x?y` has x in the event, and `c?y.x` is a pattern, so the printer writes the
+// remaining dot fields as `!x`.
 FieldKind canonical(FieldKind kind) {
     return kind == FieldKind::dot ? FieldKind::output : kind;
 }

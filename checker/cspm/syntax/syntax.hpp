@@ -1,7 +1,7 @@
-// The syntax tree of machine-readable CSP (CSPM) as FDR4 reads it (FDR manual, chapter CSPM).
-// Two producers build it: the reader (from text) and csp_emit (from RoboChart). One printer writes it,
-// one evaluator runs it. Trees compare structurally, ignoring spans and comments: reading back what the
-// printer wrote gives an equal tree. Nodes are immutable once built and shared freely.
+// The syntax tree of machine-readable CSP (CSPM) as FDR4 reads it (FDR manual, chapter CSPM). Two producers build it:
+// the reader (from text) and csp_emit (from RoboChart). One printer writes it, and one evaluator runs it. Trees compare
+// structurally, ignoring spans and comments: parsing the output of the printer gives an equal tree. Nodes are immutable
+// after construction and shared freely.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ using DeclPtr = std::shared_ptr<const Decl>;
 
 enum class PatternKind {
     wildcard,  ///< _
-    name,      ///< variable, or constructor/channel when `text` names one (decided at evaluation)
+    name,      ///< variable, or constructor/channel if `text` names one (decided at evaluation)
     integer,
     character,
     string,
@@ -126,7 +126,7 @@ enum class FieldKind { dot, output, input, nondeterministic };
 struct Field {
     FieldKind kind = FieldKind::output;
     Span span;
-    ExprPtr value;       ///< dot, output; input: the optional restriction set
+    ExprPtr value;       ///< dot, output: the value; input: the optional restriction set
     PatternPtr pattern;  ///< input, nondeterministic
 };
 
@@ -136,7 +136,7 @@ struct Clause {
     ExprPtr value;
 };
 
-/// `from <- to` in renamings, `from <-> to` in linked parallel; optional clauses belong to Expr::clauses.
+/// `from <- to` in renamings, `from <-> to` in linked parallel; their optional clauses are in Expr::clauses.
 struct Link {
     ExprPtr from, to;
 };
@@ -156,18 +156,18 @@ struct Expr {
 
 // ---------------------------------------------------------------- types as written
 
-/// Types in channel, datatype, nametype declarations are expressions denoting sets (FDR: `channel c : {0..2}.Bool`);
+/// Types in channel, datatype, nametype declarations are expressions that denote sets (FDR: `channel c : {0..2}.Bool`);
 /// a product of fields is an ExprKind::dot, a tuple type an ExprKind::tuple.
 struct Constructor {
     std::string name;
-    ExprPtr fields;  ///< null if none
+    ExprPtr fields;  ///< null if there are none
     Span span;
 };
 
 // ---------------------------------------------------------------- declarations
 
 enum class DeclKind {
-    function,  ///< name(patterns)...(patterns) = body: one clause; neighbours with the same name belong together
+    function,  ///< name(patterns)...(patterns) = body: one clause; consecutive ones with the same name belong together
     value,     ///< pattern = body
     channel,
     datatype,
@@ -178,7 +178,7 @@ enum class DeclKind {
     timed,
     transparent,
     external,
-    annotation,  ///< names :: text (kept verbatim)
+    annotation,  ///< names :: text (stored verbatim)
     print,
     assertion,
     include,
@@ -209,7 +209,7 @@ struct Assertion {
 struct Decl {
     DeclKind kind = DeclKind::value;
     Span span;
-    std::string comment;             ///< printed above as `-- ` lines; ignored by equality
+    std::string comment;             ///< printed before it as `-- ` lines; ignored by equality
     std::vector<std::string> names;  ///< function, channel, datatype, module…: declared names; include: path
     std::vector<std::vector<PatternPtr>> patterns;  ///< function: one list per curried argument group; value: {{p}}
     ExprPtr body;  ///< function, value, nametype, print; channel: field type (null: none); timed: the duration function

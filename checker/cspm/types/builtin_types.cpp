@@ -15,7 +15,7 @@ struct Row {
     std::string_view type;
 };
 
-// Sets of processes may be made but not looked into: what would compare processes asks for Eq, the rest for Set.
+// Sets of processes may be built but not examined: operations that would compare processes require Eq, the others Set.
 constexpr std::array rows{
     Row{"true", "Bool"},
     Row{"false", "Bool"},

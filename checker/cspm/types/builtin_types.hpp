@@ -13,9 +13,10 @@ public:
     explicit BuiltinTypes(TypeStore& store) : store_(store) {}
 
     enum class Where { script, timed_section, transparent_line, external_line };
-    /// The built-in of that name, if it may be used or imported there; else null.
+    /// The built-in with that name, if it may be used or imported there; otherwise null.
     Symbol* find(std::string_view name, Where where);
-    /// What line makes an extra function known ("transparent", "external"); "timed" in timed sections; else "".
+    /// The line that makes an extra function available ("transparent", "external"); "timed" in timed sections;
+    /// otherwise "".
     [[nodiscard]] static std::string_view hint(std::string_view name);
 
 private:

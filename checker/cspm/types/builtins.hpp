@@ -15,7 +15,7 @@ enum class Builtin : std::uint8_t {
     map_from_list, map_lookup, map_member, map_to_list, map_update, map_update_multiple, map_delete, map_type,
     extensions, productions, error, show,
     stop, skip, div, chaos, run, wait, timed_priority, buffer, weak_buffer, signal_buffer,
-    // declared transparent or external before use
+    // must be declared transparent or external before use
     chase, chase_nocache, deter, failure_watchdog, loop, prioritise, prioritise_nocache, prioritisepo, trace_watchdog,
     mtransclose, relational_image, relational_inverse_image, transpose,
     explicate, lazyenumerate, diamond, normal, lazynorm, sbisim, tau_loop_factor, model_compress, wbisim, dbisim,
@@ -32,11 +32,11 @@ struct BuiltinName {
 };
 
 [[nodiscard]] std::span<const BuiltinName> builtin_names();
-/// Null if there is none of that name.
+/// Null if there is none with that name.
 [[nodiscard]] const BuiltinName* find_builtin(std::string_view name);
 [[nodiscard]] const BuiltinName& builtin_name(Builtin builtin);
 
-/// Those that evaluate their arguments as far as they need them only.
+/// Whether it evaluates its arguments only as far as it needs them.
 [[nodiscard]] inline bool takes_by_need(Builtin which) {
     return (which >= Builtin::length && which <= Builtin::elem) ||
            (which >= Builtin::map_from_list && which <= Builtin::map_delete);

@@ -1,4 +1,4 @@
-// Which types satisfy which constraint (FDR manual, "Type system", type constraints), and instances of schemes.
+// Decides which types satisfy which constraint (FDR manual, "Type system", type constraints), and instantiates schemes.
 #include <algorithm>
 #include <optional>
 
@@ -75,7 +75,7 @@ void Unifier::constrain_variable(Constraint constraint, TypeId variable) {
     store_.constrain(variable, constraint);
 }
 
-// Whether the type's own shape allows the constraint; its parts are constrained too.
+// Whether the type's constructor allows the constraint; its parts are constrained too.
 bool Unifier::constrain_parts(Constraint constraint, TypeId type) {
     const TypeNode node = store_.node(type);
     const auto all = [&](Constraint wanted) {
@@ -111,7 +111,7 @@ bool Unifier::constrain_parts(Constraint constraint, TypeId type) {
             return constraint != can_yield && constraint != can_order;
         case TypeKind::sequence:
         case TypeKind::set:
-            // Sequences are ordered by prefix, sets by inclusion: both need equality of the elements only.
+            // Sequences are ordered by prefix, sets by inclusion: both only need equality of the elements.
             if (constraint == can_yield) return false;
             return constraint == can_input || all(constraint == can_order ? can_equal : constraint);
         case TypeKind::tuple:

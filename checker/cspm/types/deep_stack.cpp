@@ -23,7 +23,7 @@ namespace robochart::cspm {
 
 namespace {
 
-// One stack a thread, mapped on first use and kept; pages are taken as they are touched.
+// One stack for each thread, mapped on first use and kept; pages are allocated when they are touched.
 class Stack {
 public:
     Stack()

@@ -1,5 +1,5 @@
-// Runs a function on a stack of its own, large enough for deep recursion in scripts. Calls may nest; only
-// the outermost changes stacks. Exceptions pass through.
+// Runs a function on a separate stack, large enough for deep recursion in scripts. Calls may be nested; only the
+// outermost one changes stacks. Exceptions are passed on.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace robochart::cspm {
 
-/// Bytes of stack that code run by `on_deep_stack` may use. AddressSanitizer follows exceptions on stacks up to
-/// this size only.
+/// Size of the stack in bytes for code run by `on_deep_stack`. AddressSanitizer supports exceptions only on stacks up
+/// to this size.
 inline constexpr std::size_t deep_stack_bytes = std::size_t{1} << 26U;
 
 void on_deep_stack(const std::function<void()>& work);

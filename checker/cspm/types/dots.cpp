@@ -1,18 +1,18 @@
-// Dotted values: applying heads to what follows them, and making two lists of parts equal. A list [A => B, A, C] is
-// worth [B, C]. Which parts a head takes is fixed by FDR's longest and shortest match rules.
+// Dotted values: applies heads to their arguments, and makes two lists of parts equal. A list [A => B, A, C] is
+// equivalent to [B, C]. FDR's longest and shortest match rules determine which parts a head takes.
 #include <utility>
 
 #include "checker/cspm/types/unify.hpp"
 
 namespace robochart::cspm::types {
 
-// What a type yields once it has all arguments.
+// The type after all arguments have been applied.
 TypeId Unifier::ultimate(TypeId type) {
     Parts ignored;
     return store_.split(type, ignored);
 }
 
-// (A.B) => C as A => (B => C).
+// Converts (A.B) => C to A => (B => C).
 TypeId Unifier::one_by_one(TypeId dotable) {
     const TypeId given = store_.argument(dotable, 0);
     return is(given, TypeKind::dot) ? store_.dotable(store_.dot_parts(given), 0, store_.argument(dotable, 1)) : dotable;
@@ -106,7 +106,7 @@ Unifier::Parts Unifier::evaluate(Parts parts, Match match) {
     return result;
 }
 
-// `a` is expected, `b` actual; the results are the parts both are equal to.
+// `a` is expected, `b` actual; returns the parts to which both are equal.
 Unifier::Parts Unifier::combine(Parts a, Parts b) {
     const TypeStore::Depth guard(store_);
     if (a.empty() && b.empty()) return {};
@@ -125,7 +125,7 @@ Unifier::Parts Unifier::combine(Parts a, Parts b) {
     return result;
 }
 
-// The head of `a` takes what follows it.
+// The head of `a` takes the following parts as arguments.
 Unifier::Parts Unifier::take_left(Parts a, const Parts& b) {
     const TypeId first = one_by_one(store_.head(a[0]));
     const TypeId next = store_.head(a[1]);
@@ -133,7 +133,7 @@ Unifier::Parts Unifier::take_left(Parts a, const Parts& b) {
     const TypeId yielded = store_.argument(first, 1);
     const TypeKind given = store_.node(next).kind;
     if (given == TypeKind::variable && a.size() == 2 && !is(wanted, TypeKind::dotable)) {
-        // The variable stands for all the arguments, and for what b has beyond what they yield.
+        // The variable stands for all the arguments, and for the parts of b after their result.
         Parts all;
         const TypeId end = store_.split(first, all);
         Parts rest = evaluate(b, Match::longest);

@@ -55,7 +55,7 @@ TypeId ExpressionTypes::expect(const Term& term, TypeId type, std::string_view b
     return unify(inner(term).syntax->span, type, actual, because);
 }
 
-// A branch or a let's body is blamed rather than the whole.
+// Reports the error at a branch or at a let's body rather than at the whole expression.
 void ExpressionTypes::expect_atom(const Term& term, TypeKind kind, std::string_view because) {
     const Term& at = inner(term);
     if (at.syntax->kind == ExprKind::if_then_else) {
@@ -219,7 +219,7 @@ TypeId ExpressionTypes::lambda(const Term& term) {
 
 namespace {
 
-/// " (id__, x)": how a function's parameters are called, where its first equation names them all.
+/// " (id__, x)": the names of a function's parameters, if its first equation names them all.
 std::string parameters_text(const Symbol* function) {
     if (function == nullptr || function->owner == nullptr || function->owner->equations.empty()) return "";
     const auto& groups = function->owner->equations.front().groups;
@@ -407,7 +407,7 @@ TypeId ExpressionTypes::infer_replicated(const Term& term) {
     return atom(TypeKind::process);
 }
 
-// Both ends of a link or a renaming need the same further fields to be events.
+// Both ends of a link or a renaming need the same remaining fields to be events.
 void ExpressionTypes::links(const Term& term) {
     std::vector<TypeId> left;
     for (const LinkTerm& each : term.links) {
@@ -479,7 +479,7 @@ TypeId ExpressionTypes::pattern(const PatternTerm& term) {
             const TypeId element = store_.fresh();
             for (const PatternTerm& each : term.args) expect_pattern(each, element);
             if (term.syntax->kind == PatternKind::sequence) return store_.sequence_of(element);
-            // Eq, not Set: a pattern compares.
+            // Eq, not Set, because a pattern compares.
             constrain(term.syntax->span, can_equal, element, "a pattern compares what it matches");
             return store_.set_of(element);
         }

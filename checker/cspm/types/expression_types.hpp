@@ -1,4 +1,4 @@
-// Types of expressions and patterns, and the places that findings about them are reported at.
+// Types of expressions and patterns, and the places of findings about them.
 #pragma once
 
 #include <functional>
@@ -12,32 +12,32 @@
 
 namespace robochart::cspm::types {
 
-/// Owns the unifier and its place. What has no type ends in a TypeFault, what has too large a one in a TypeOverflow.
+/// Owns the unifier and its place. An ill-typed expression throws a TypeFault, a type that is too large a TypeOverflow.
 class ExpressionTypes {
 public:
     /// Checks the declarations of a let before its body.
     using CheckLet = std::function<void(DeclarationList&)>;
 
-    /// Store and diagnostics outlive it; the diagnostics are only polled for the end of the run's budget.
+    /// Store and diagnostics must outlive the object; the diagnostics are only polled for the end of the run's budget.
     ExpressionTypes(TypeStore& store, diagnostics::Diagnostics& diagnostics, CheckLet check_let)
         : store_(store), unifier_(store, here_), diagnostics_(diagnostics), check_let_(std::move(check_let)) {}
     ExpressionTypes(const ExpressionTypes&) = delete;
     ExpressionTypes& operator=(const ExpressionTypes&) = delete;
 
     [[nodiscard]] Unifier& unifier() { return unifier_; }
-    /// The place that findings of the unifier are about.
+    /// The place for findings of the unifier.
     [[nodiscard]] diagnostics::Span here() const { return here_; }
     void at(diagnostics::Span span) { here_ = span; }
 
     TypeId infer(const Term& term);
-    /// The type of what the pattern matches; its variables are bound before.
+    /// The type of the values that the pattern matches; its variables must have been bound.
     TypeId pattern(const PatternTerm& pattern);
-    /// A new type for each variable.
+    /// Creates a new type for each variable.
     void bind_locals(const std::vector<Symbol*>& symbols);
 
-    // What a type has to be; a finding is about the term or span given, with the reason `because` as its note.
+    // Requires a type; a finding is reported at the given term or span, with the reason `because` as its note.
     TypeId expect(const Term& term, TypeId type, std::string_view because = {});
-    /// A branch or a let's body is blamed rather than the whole.
+    /// Reports the error at a branch or at a let's body rather than at the whole expression.
     void expect_atom(const Term& term, TypeKind kind, std::string_view because);
     TypeId unify(diagnostics::Span span, TypeId expected, TypeId actual, std::string_view because = {});
     void constrain(diagnostics::Span span, Constraint constraint, TypeId type, std::string_view because);

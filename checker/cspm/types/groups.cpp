@@ -1,5 +1,5 @@
 // Strongly connected components by Boost.Graph: Tarjan's algorithm (1972), without recursion, since scripts may chain
-// any number of declarations. It numbers components as they are finished: after those that they use.
+// any number of declarations. It numbers components when they are finished: after those that they use.
 #include "checker/cspm/types/groups.hpp"
 
 #include <boost/graph/adjacency_list.hpp>
@@ -9,7 +9,7 @@ namespace robochart::cspm::types {
 
 namespace {
 
-/// From each declaration to those of the list that it uses, each edge once.
+/// Edges from each declaration to those of the list that it uses, without duplicates.
 using UseGraph = boost::adjacency_list<boost::setS, boost::vecS, boost::directedS>;
 
 UseGraph uses_of(const DeclarationList& list) {

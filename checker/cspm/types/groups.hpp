@@ -1,4 +1,4 @@
-// The declarations of a list by dependency.
+// Sorts the declarations of a list by dependency.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,8 @@
 
 namespace robochart::cspm::types {
 
-/// Groups of mutually dependent declarations, each after all it depends on; members in the order of the list.
+/// Groups of mutually dependent declarations, each after the groups on which it depends; members are in the order of
+/// the list.
 [[nodiscard]] std::vector<std::vector<Declaration*>> dependency_groups(DeclarationList& list);
 
 }  // namespace robochart::cspm::types

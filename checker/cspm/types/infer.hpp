@@ -1,5 +1,5 @@
 // Type inference over a resolved script: Hindley-Milner, one strongly connected group of declarations after the other.
-// The scripts' top and modules generalise every name, a let only those with an annotation (as FDR does).
+// At the top level and in modules every name is generalised, in a let only names with an annotation (as in FDR).
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@
 
 namespace robochart::cspm::types {
 
-/// Types of declarations: owns what their expressions are typed with.
+/// Infers the types of declarations; owns the typing of their expressions.
 class Inference {
 public:
-    /// All outlive it.
+    /// All arguments must outlive the object.
     Inference(const ResolvedScript& script, TypeStore& store, diagnostics::Diagnostics& diagnostics)
         : script_(script),
           store_(store),
@@ -21,7 +21,7 @@ public:
           terms_(store, diagnostics, [this](DeclarationList& list) { check_list(list, ListKind::let); }),
           unifier_(terms_.unifier()) {}
 
-    /// Fills in the schemes of all symbols; findings go to the diagnostics.
+    /// Fills in the schemes of all symbols; reports findings to the diagnostics.
     void run();
 
 private:
@@ -61,7 +61,7 @@ private:
     TypeStore& store_;
     diagnostics::Diagnostics& diagnostics_;
     ExpressionTypes terms_;
-    Unifier& unifier_;  // that of terms_
+    Unifier& unifier_;  // the one in terms_
     unsigned attempts_ = 0;
 };
 

@@ -1,5 +1,5 @@
-// Groups of declarations: checked together, then generalised. A faulty group gives one finding, and its names any
-// type, so that no finding follows from another.
+// Groups of declarations are checked together, then generalised. An ill-typed group gives one finding, and its names
+// then have any type, so that no further findings follow from it.
 #include <algorithm>
 #include <utility>
 
@@ -42,7 +42,7 @@ void Inference::fail_group(const Group& group, TypeFault fault) {
 
 namespace {
 
-// A module of the group that one of the group's instances is made from.
+// A module of the group from which an instance in the group is made.
 const Declaration* cyclic_instance(const std::vector<Declaration*>& group) {
     for (const Declaration* each : group) {
         if (each->kind != DeclKind::instance || each->module->original == nullptr) continue;
@@ -73,8 +73,8 @@ void Inference::check_group(Group group, ListKind kind) {
     for (const Declaration* each : group) check_fields_known(*each, kind);
 }
 
-// Whether values of a datatype can be compared depends on its fields, which may be of that datatype: it is assumed,
-// and taken back if that fails.
+// Whether values of a datatype can be compared depends on its fields, whose types may include that datatype: it is
+// assumed first, and the assumption is dropped if it fails.
 void Inference::check_datatypes_with(const Group& group, ListKind kind) {
     const auto set_comparable = [&](bool value) {
         for (const Declaration* each : group) {
@@ -129,7 +129,7 @@ void Inference::generalise(const Declaration& declaration, ListKind kind) {
     }
 }
 
-// The fields of channels and constructors have known types, except in a module that waits for its arguments.
+// The fields of channels and constructors must have known types, except in a module with parameters.
 void Inference::check_fields_known(const Declaration& declaration, ListKind kind) {
     if (script_.names_missing) return;
     const auto check_symbol = [&](const Symbol& symbol, diagnostics::Span span) {
@@ -224,7 +224,7 @@ TypeId function_type(TypeStore& store, const std::vector<std::vector<TypeId>>& g
 
 }  // namespace
 
-// The patterns are looked at twice: what the body says about a variable may let a dotted pattern take more.
+// The patterns are checked twice: what the body reveals about a variable may let a dotted pattern match more.
 TypeId Inference::equation(const EquationTerm& equation) {
     std::vector<std::vector<TypeId>> groups;
     const auto patterns = [&] {
@@ -286,7 +286,7 @@ void Inference::check_value(const Declaration& declaration) {
     terms_.at(declaration.pattern.syntax->span);
     left = unifier_.evaluate_dots(left);
     right = unifier_.evaluate_dots(right);
-    // As for the arguments of a function: c.x splits no event unless c is a channel.
+    // As for the arguments of a function: c.x splits an event only if c is a channel.
     const bool splits = store_.kind(left) == TypeKind::dot;
     (void)(splits ? unifier_.unify_one_way(left, right) : unifier_.unify_one_way(right, left));
 }
@@ -307,7 +307,7 @@ void Inference::check_nametype(const Declaration& declaration) {
 
 // ---------------------------------------------------------------- channels and datatypes
 
-// What a type as written denotes the values of: sets, and tuples and dots of such.
+// The type of the elements that a written type denotes: of sets, and of tuples and dots of sets.
 TypeId Inference::element(TypeId type) {
     const TypeStore::Depth guard(store_);
     type = store_.head(type);
@@ -345,7 +345,7 @@ void Inference::check_channel(const Declaration& declaration) {
     for (const Symbol* each : declaration.binds) (void)terms_.unify(declaration.span, each->scheme.type, type);
 }
 
-// An annotation `A => B => Event` says that the fields are a set of A and a set of B.
+// An annotation `A => B => Event` states that the fields are a set of A and a set of B.
 TypeId Inference::channel_fields(const Declaration& declaration) {
     constexpr Constraints needed = can_equal | can_input;
     if (declaration.annotation == nullptr) return fields(*declaration.body, needed);

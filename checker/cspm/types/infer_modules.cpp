@@ -1,5 +1,5 @@
-// Modules with parameters, and instances: the module's types with the arguments' types for its parameters', and the
-// instance's own datatypes for the module's.
+// Modules with parameters, and instances. An instance has the module's types, in which the arguments' types replace
+// those of the parameters, and the instance's own datatypes replace the module's.
 #include <algorithm>
 #include <set>
 
@@ -8,7 +8,7 @@
 
 namespace robochart::cspm::types {
 
-// The module's type is the tuple of its parameters. What inside is left open by the parameters stays open.
+// The module's type is the tuple of its parameters. Types inside that depend on the parameters stay open.
 void Inference::check_module(const Declaration& declaration) {
     terms_.bind_locals(declaration.parameters);
     if (declaration.inside != nullptr) check_list(*declaration.inside, ListKind::module);
@@ -48,7 +48,7 @@ void Inference::check_instance(const Declaration& declaration) {
     find_comparable(declaration);
 }
 
-// What several names leave open together, such as the parameters of a module inside, stays common to their copies.
+// Variables that several names share, such as those of an inner module's parameters, are shared by their copies.
 void Inference::copy_types(const Declaration& instance, std::vector<std::pair<TypeId, TypeId>> variables) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> datatypes;
     std::set<TypeId> known;

@@ -46,7 +46,7 @@ void NameResolver::name(const Expr& expr, Term& term) {
     term.symbol = value_named(expr.text, expr.span);
 }
 
-// Each pattern of a lambda stands for itself; a later one hides the names of an earlier.
+// Each pattern of a lambda is a separate scope; a later one hides the names of an earlier one.
 void NameResolver::lambda(const Expr& expr, Term& term) {
     for (const PatternPtr& each : expr.patterns) {
         scope_ = new_scope(scope_);
@@ -66,7 +66,7 @@ void NameResolver::let(const Expr& expr, Term& term) {
 
 namespace {
 
-// Of p ^ q ^ r, the parts that may have any length.
+// The number of parts of p ^ q ^ r that may have any length.
 std::size_t open_parts(const Pattern& pattern) {
     if (pattern.kind == PatternKind::sequence || pattern.kind == PatternKind::string) return 0;
     if (pattern.kind != PatternKind::concat) return 1;
@@ -75,7 +75,7 @@ std::size_t open_parts(const Pattern& pattern) {
     return count;
 }
 
-// Whether two patterns stand for one field of a prefix, or for some in a row.
+// Whether the pattern combines two patterns for one field of a prefix, or several fields.
 bool doubles_fields(const Pattern& pattern) {
     if (pattern.kind == PatternKind::both) return true;
     return pattern.kind == PatternKind::dot &&
@@ -84,7 +84,7 @@ bool doubles_fields(const Pattern& pattern) {
 
 }  // namespace
 
-// Nondeterministic fields are chosen before the event is offered, so their names come first.
+// Nondeterministic fields are chosen before the event is offered, so their names are bound first.
 void NameResolver::prefix(const Expr& expr, Term& term) {
     term.args.push_back(expression(expr.args.at(0)));
     scope_ = new_scope(scope_);
@@ -114,8 +114,8 @@ void NameResolver::prefix(const Expr& expr, Term& term) {
 
 namespace {
 
-// Arguments out of reach of the clauses' variables: the processes of renaming and linked parallel, the interface of
-// replicated parallels.
+// Arguments outside the scope of the clauses' variables: the processes of renaming and linked parallel, the interface
+// of replicated parallels.
 bool outside_clauses(ExprKind kind, std::size_t arg) {
     if (kind == ExprKind::rename || kind == ExprKind::linked) return true;
     return (kind == ExprKind::replicated_parallel || kind == ExprKind::replicated_synchronising) && arg == 1;

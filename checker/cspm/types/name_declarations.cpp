@@ -1,5 +1,5 @@
-// Declarations in phases, so that a list may be in any order: modules first, then channels and constructors (they
-// decide what the names in patterns mean), then all other names, then what stands right of the equals signs.
+// Declarations in phases, so that a list may have any order: modules first, then channels and constructors (they
+// determine the meaning of names in patterns), then all other names, then the right-hand sides.
 #include <algorithm>
 #include <utility>
 
@@ -32,7 +32,7 @@ DeclarationList* NameResolver::declarations(const std::vector<DeclPtr>& decls, c
     return inside.list;
 }
 
-// ---------------------------------------------------------------- phase 1: modules, and lists laid flat
+// ---------------------------------------------------------------- phase 1: modules, and flattened lists
 
 NameResolver::Item& NameResolver::add_item(Items& items, const DeclPtr& decl, const Place& place) {
     Declaration& declaration = place.list->items.emplace_back();
@@ -53,10 +53,10 @@ void NameResolver::flatten(const std::vector<DeclPtr>& decls, const Place& place
         if (decl->kind != DeclKind::annotation) continue;
         for (const std::string& name : decl->names) place.scope->annotations.emplace(name, decl.get());
     }
-    std::size_t function = items.size();  // the item whose clauses are being gathered
+    std::size_t function = items.size();  // the item that collects the current function's clauses
     for (const DeclPtr& decl : decls) {
         if (decl->kind == DeclKind::annotation || decl->kind == DeclKind::include) continue;
-        // Clauses of two files do not join: an included one defines the name again.
+        // Clauses in two files are not combined: the included file declares the name again.
         if (decl->kind == DeclKind::function && function < items.size() &&
             items[function].decls[0]->names == decl->names &&
             items[function].decls[0]->span.source == decl->span.source) {
@@ -262,7 +262,7 @@ void NameResolver::add_imports(const Item& item) {
             if (!line.empty() && line != "timed") {
                 finding.notes.push_back({decl.span, "'" + name + "' is " + std::string(line)});
             }
-            // Uses of it would be reported again.
+            // Prevents further findings for its uses.
             symbol = &new_symbol(name, decl.span, SymbolKind::variable);
             symbol->failed = true;
         }
@@ -365,7 +365,7 @@ void NameResolver::body_of_function(Item& item) {
     }
 }
 
-// A subtype names constructors that exist; a datatype's are declared by now.
+// A subtype uses existing constructors; those of datatypes are declared by now.
 void NameResolver::body_of_datatype(Item& item) {
     const Decl& decl = *item.decls[0];
     for (std::size_t i = 0; i < decl.constructors.size(); ++i) {
@@ -403,7 +403,7 @@ void NameResolver::body_of_assertion(Item& item) {
     if (decl.assertion.tau_priority) declaration.tau_priority = expression(decl.assertion.tau_priority);
 }
 
-// Names a print statement lacks make a warning only.
+// Unknown names in a print statement are only a warning.
 void NameResolver::body_of_print(const Item& item) {
     diagnostics::Diagnostics inside;
     diagnostics::Diagnostics* const outside = std::exchange(diagnostics_, &inside);

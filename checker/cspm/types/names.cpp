@@ -1,4 +1,4 @@
-// Looking names up, and what is said about those that are not there.
+// Looks up names, and reports unknown ones.
 #include "checker/cspm/types/names.hpp"
 
 #include <fmt/format.h>
@@ -51,8 +51,8 @@ const Entry* NameResolver::find_plain(std::string_view name) const {
     return nullptr;
 }
 
-// FDR has M::x in scope as one name: a variable called M does not hide it, and a module M further in that has no x lets
-// an outer one be seen; a private x hides it.
+// In FDR, M::x is one name in the scope: a variable called M does not hide it, and an inner module M without x does not
+// hide an outer one that has x; a private x hides it.
 NameResolver::Lookup NameResolver::find(std::string_view name) {
     const std::size_t colons = name.find("::");
     if (colons == std::string_view::npos) {
@@ -88,7 +88,7 @@ NameResolver::Lookup NameResolver::find_inside(const Module& module, std::string
 
 namespace {
 
-/// Names of other spellings and notations for what CSPM predefines.
+/// Names in other spellings and notations of what CSPM predefines.
 std::string_view predefined_for(std::string_view name) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 14> rows = {{{"int", "Int"},
                                                                                      {"integer", "Int"},
@@ -117,7 +117,7 @@ std::vector<std::string> members_of(const Module& module, std::string_view prefi
 
 }  // namespace
 
-/// The name behind a module that is left out in front of it.
+/// The qualified name if the module in front of it was omitted.
 std::string NameResolver::in_a_module(std::string_view name) {
     for (const Scope* scope = scope_; scope != nullptr; scope = scope->parent)
         for (const auto& [known, entry] : scope->names) {
@@ -128,8 +128,8 @@ std::string NameResolver::in_a_module(std::string_view name) {
     return "";
 }
 
-/// Of a name in modules: the last part where it is known without them, a member that only ends in addition (the channel
-/// `moveCall` for `move`), or the nearest member.
+/// For a qualified name: its last part if that is known unqualified, a member that extends it (the channel `moveCall`
+/// for `move`), or the most similar member.
 std::string NameResolver::member_suggestion(std::string_view name) {
     const std::size_t colons = name.rfind("::");
     if (colons == std::string_view::npos) return "";
@@ -147,7 +147,8 @@ std::string NameResolver::member_suggestion(std::string_view name) {
     return longer.empty() ? diagnostics::nearest(name, members) : longer;
 }
 
-// A name of the same spelling in a module, then the nearest of those in scope: locals, members, predefined ones.
+// A name with the same spelling in a module, otherwise the most similar name in scope: locals, members, predefined
+// ones.
 std::string NameResolver::suggestion(std::string_view name) {
     if (const std::string_view own = predefined_for(name); !own.empty()) return std::string(own);
     if (std::string member = member_suggestion(name); !member.empty()) return member;

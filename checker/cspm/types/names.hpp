@@ -1,5 +1,5 @@
-// Scopes: which declaration each name of a script means. Declarations of a list see one another; modules without
-// parameters lie flat in the list they stand in; an instance has its own copy of each name of its module.
+// Scopes: finds the declaration of each name in a script. Declarations of a list see each other; modules without
+// parameters are flattened into their list; an instance has its own copy of each name of its module.
 #pragma once
 
 #include <deque>
@@ -16,7 +16,7 @@ namespace robochart::cspm::types {
 
 class NameResolver {
 public:
-    /// Deepest nesting of expressions looked at.
+    /// Maximal nesting of expressions.
     static constexpr unsigned max_depth = 4500;
 
     NameResolver(TypeStore& store, BuiltinTypes& builtins, diagnostics::Diagnostics& diagnostics)
@@ -30,7 +30,7 @@ private:
         Names names;
         std::map<std::string, Symbol*, std::less<>> types;  // datatypes, for annotations
         std::map<std::string, TypeVariable*, std::less<>> type_variables;
-        std::map<std::string, const Decl*, std::less<>> annotations;  // by the name annotated
+        std::map<std::string, const Decl*, std::less<>> annotations;  // by annotated name
     };
     // The list that contains a declaration.
     struct Place {
@@ -44,7 +44,7 @@ private:
         Declaration* enclosing = nullptr;
     };
     struct Item {
-        std::vector<DeclPtr> decls;  // clauses of a function; else one
+        std::vector<DeclPtr> decls;  // clauses of a function; otherwise a single declaration
         Place place;
         Declaration* declaration = nullptr;
         Module* made = nullptr;  // modules and instances
@@ -97,7 +97,7 @@ private:
     // names
     struct Lookup {
         Entry entry;
-        std::string hint;  // why a name that exists is not in scope
+        std::string hint;  // why an existing name is not in scope
     };
     [[nodiscard]] Lookup find(std::string_view name);
     [[nodiscard]] const Entry* find_plain(std::string_view name) const;

@@ -1,5 +1,5 @@
-// A script with its names resolved, ready for type inference: every name points to its symbol, every list of
-// declarations knows what depends on what. Made by names.hpp, read by infer.hpp.
+// A script with resolved names, the input of type inference: every name points to its symbol, and every list of
+// declarations contains its dependencies. Built by names.hpp, used by infer.hpp.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,7 @@ struct Term;
 
 enum class SymbolKind : std::uint8_t { variable, constructor, channel, datatype, module, builtin };
 
-/// One declared name. `scheme` is filled in by inference; until then, and for names whose declaration is wrong, the
-/// name has any type.
+/// One declared name. Inference fills in `scheme`; before that, and for ill-typed declarations, the name has any type.
 struct Symbol {
     std::string name;  ///< qualified, as printed
     Span span;
@@ -35,14 +34,14 @@ struct Symbol {
     [[nodiscard]] bool label() const { return kind == SymbolKind::constructor || kind == SymbolKind::channel; }
 };
 
-/// A type variable of an annotation; in scope below it.
+/// A type variable of an annotation, in scope below it.
 struct TypeVariable {
     std::string name;
     Constraints constraints = 0;
-    TypeId type = no_type;  ///< the rigid variable it stands for while its declaration is checked
+    TypeId type = no_type;  ///< its rigid variable while the declaration is checked
 };
 
-/// A type as written, resolved.
+/// A resolved type from an annotation.
 struct TypeTerm {
     TypeKind kind = TypeKind::integer;  ///< extendable: args are the variable and the type; function: result last
     std::vector<TypeTerm> args;
@@ -51,7 +50,7 @@ struct TypeTerm {
 };
 struct Annotation {
     TypeTerm type;
-    std::vector<TypeVariable*> binds;  ///< variables this annotation brings into scope
+    std::vector<TypeVariable*> binds;  ///< variables that this annotation adds to the scope
     Span span;
 };
 
@@ -105,19 +104,19 @@ struct ConstructorTerm {
     Span span;
 };
 
-/// A name of an instance and the name of the module it is made from.
+/// A name of an instance and the corresponding name of its module.
 struct Copy {
     Symbol* original = nullptr;
     Symbol* copy = nullptr;
-    bool checked = true;  ///< whether its fields must be known here (not inside a module that still has parameters)
+    bool checked = true;  ///< whether its fields must be known here (not inside a module with parameters)
 };
 
-/// A declaration of a list. Functions are whole; modules without parameters lie flat in the list of their place.
+/// A declaration of a list. Functions include all clauses; modules without parameters are flattened into their list.
 struct Declaration {
     DeclKind kind = DeclKind::value;
     Span span;
     std::vector<Symbol*> binds;
-    std::vector<Symbol*> uses;  ///< declared names it mentions
+    std::vector<Symbol*> uses;  ///< declared names that it uses
     std::vector<EquationTerm> equations;
     PatternTerm pattern;         ///< value
     const Term* body = nullptr;  ///< value, channel, nametype; timed: the duration function
@@ -142,7 +141,7 @@ struct DeclarationList {
     std::deque<Declaration> items;
 };
 
-/// What a name stands for where it is looked up.
+/// The meaning of a name in a scope.
 struct Entry {
     Symbol* symbol = nullptr;
     Module* module = nullptr;
@@ -156,12 +155,12 @@ struct Module {
     bool parametrised = false;
     std::size_t parameters = 0;
     const Module* outer = nullptr;     ///< the module that contains it
-    const Module* original = nullptr;  ///< instances and copies: what they are made from
+    const Module* original = nullptr;  ///< instances and copies: their original
     Names exported;
     Names hidden;
 };
 
-/// A script resolved; owns all of the above.
+/// A resolved script; owns all of the above.
 struct ResolvedScript {
     std::deque<Symbol> symbols;
     std::deque<Term> terms;
@@ -171,7 +170,7 @@ struct ResolvedScript {
     std::deque<DeclarationList> lists;
     DeclarationList* top = nullptr;
     std::vector<Symbol*> shown;  ///< the names to print with their types, in order
-    bool names_missing = false;  ///< some name was not in scope: types may be left open
+    bool names_missing = false;  ///< some name was not in scope, so types may stay open
 };
 
 }  // namespace robochart::cspm::types

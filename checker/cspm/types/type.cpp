@@ -1,5 +1,5 @@
-// The arena of types: making, looking at and binding them. Levels follow Rémy's scheme: a variable belongs to the
-// innermost open group of declarations that may still fix it.
+// The arena of types: creating, reading and binding them. Levels follow Rémy's scheme: a variable belongs to the
+// innermost open group of declarations that may still determine it.
 #include "checker/cspm/types/type.hpp"
 
 #include <algorithm>
@@ -103,7 +103,7 @@ TypeId TypeStore::follow(TypeId type) {
     return end;
 }
 
-// An extendable whose variable holds `argument, rest` is the dotable of that argument onto the rest.
+// An extendable whose variable is bound to `argument, rest` is the dotable of that argument and the rest.
 TypeId TypeStore::head(TypeId type) {
     for (;;) {
         type = follow(type);

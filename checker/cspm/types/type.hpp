@@ -1,6 +1,6 @@
-// Types while they are inferred: nodes of an arena, variables bound by links, undone by a trail. Dotted types follow
-// the FDR manual: `a => b` (dotable) yields b once dotted with an a; `a =>* b` (extendable) yields b after some
-// arguments not yet known, kept in the variable on its left.
+// Types during inference: nodes of an arena, variables bound by links, undone by a trail. Dotted types follow the FDR
+// manual: `a => b` (dotable) becomes b when dotted with an a; `a =>* b` (extendable) becomes b after some unknown
+// arguments, which are stored in the variable on its left.
 #pragma once
 
 #include <cstdint>
@@ -27,23 +27,23 @@ enum class TypeKind : std::uint8_t {
     map,
     tuple,
     function,    ///< arguments, then the result
-    dot,         ///< the parts of a dotted value, two or more
+    dot,         ///< the parts of a dotted value, at least two
     dotable,     ///< argument, result
-    extendable,  ///< result, variable that gathers the arguments
-    complete,    ///< in place of an extendable's variable: no more arguments
+    extendable,  ///< result, and the variable that collects the arguments
+    complete,    ///< value of an extendable's variable: no more arguments
 };
 
-/// The type that CSPM names so: Int, Bool, Char, Proc or Event; `variable` for any other name.
+/// The type with this name in CSPM: Int, Bool, Char, Proc or Event; `variable` for any other name.
 [[nodiscard]] TypeKind primitive_kind(std::string_view name);
 
 /// Constraints on a type, a set of bits. Eq implies Set.
 using Constraints = std::uint8_t;
 enum Constraint : std::uint8_t {
-    can_equal = 1,    ///< Eq: values may be compared
-    can_order = 2,    ///< Ord: values may be ordered
-    can_input = 4,    ///< Complete: values may be input on channels
-    can_collect = 8,  ///< Set: values may form sets
-    can_yield = 16,   ///< Yieldable: datatypes and events, what dotting ends in
+    can_equal = 1,    ///< Eq: values can be compared
+    can_order = 2,    ///< Ord: values can be ordered
+    can_input = 4,    ///< Complete: values can be input on channels
+    can_collect = 8,  ///< Set: values can be elements of sets
+    can_yield = 16,   ///< Yieldable: datatypes and events, the results of dotting
 };
 
 struct Scheme {
@@ -54,16 +54,17 @@ struct Scheme {
 struct TypeNode {
     TypeKind kind = TypeKind::variable;
     Constraints constraints = 0;  ///< variables
-    bool rigid = false;           ///< variables of annotations: bound by nothing
-    bool closed = false;          ///< no variables inside
-    bool plain = false;           ///< closed, and no dotted types inside: nothing to evaluate
-    std::uint32_t level = 0;      ///< variables: the group of declarations they belong to; generalised when it closes
-    TypeId link = no_type;        ///< variables: what they stand for
+    bool rigid = false;           ///< variables of annotations, which are never bound
+    bool closed = false;          ///< contains no variables
+    bool plain = false;           ///< closed, and contains no dotted types: nothing to evaluate
+    std::uint32_t level = 0;      ///< variables: the group of declarations to which they belong; generalised when the
+                                  ///< group is closed
+    TypeId link = no_type;        ///< variables: their binding
     std::uint32_t first = 0;      ///< arguments; datatype: its number; rigid: the index of its name
     std::uint32_t count = 0;
 };
 
-/// Thrown when types grow beyond all use (deep nesting, exponential size).
+/// Thrown if types become too large (deep nesting, exponential size).
 struct TypeOverflow {
     bool deep = false;
 };
@@ -71,7 +72,7 @@ struct TypeOverflow {
 class TypeStore {
 public:
     static constexpr unsigned max_depth = 4000;
-    static constexpr std::uint64_t max_steps = 3'000'000;  ///< of work on types in one declaration
+    static constexpr std::uint64_t max_steps = 3'000'000;  ///< limit on the work on types in one declaration
 
     TypeStore();
 
@@ -86,31 +87,31 @@ public:
     /// A dotted type of one or more parts.
     [[nodiscard]] TypeId dot(const std::vector<TypeId>& parts);
     [[nodiscard]] TypeId dotable(TypeId argument, TypeId result) { return make(TypeKind::dotable, {argument, result}); }
-    /// `result` behind several arguments.
+    /// `result` after several arguments.
     [[nodiscard]] TypeId dotable(const std::vector<TypeId>& arguments, std::size_t from, TypeId result);
     [[nodiscard]] TypeId extendable(TypeId result, TypeId arguments) {
         return make(TypeKind::extendable, {result, arguments});
     }
 
     // looking at types
-    /// The type a variable stands for; an extendable whose arguments are known becomes what it stands for.
+    /// The type to which a variable is bound; an extendable with known arguments is replaced by its value.
     [[nodiscard]] TypeId head(TypeId type);
     [[nodiscard]] const TypeNode& node(TypeId type) const { return nodes_[type]; }
-    /// Kind after `head`.
+    /// The kind of `head`.
     [[nodiscard]] TypeKind kind(TypeId type) { return nodes_[head(type)].kind; }
     [[nodiscard]] TypeId argument(TypeId type, std::size_t i) const { return args_[nodes_[type].first + i]; }
     [[nodiscard]] std::vector<TypeId> arguments(TypeId type) const;
     [[nodiscard]] const std::string& rigid_name(TypeId type) const { return names_[nodes_[type].first]; }
-    /// The parts of a dotted type, nested ones spread out; one part for all other types.
+    /// The parts of a dotted type, with nested ones flattened; one part for all other types.
     [[nodiscard]] std::vector<TypeId> dot_parts(TypeId type);
-    /// A dotable's arguments (spread out) and what it yields in the end; no arguments for all other types.
+    /// A dotable's arguments (flattened) and its final result; no arguments for all other types.
     [[nodiscard]] TypeId split(TypeId type, std::vector<TypeId>& arguments);
 
     // changing variables
     void bind(TypeId variable, TypeId type);
     void constrain(TypeId variable, Constraints constraints);
     void lower_level(TypeId variable, std::uint32_t level);
-    /// Lowers the variables of a type to a level at most; whether `wanted` occurs in it.
+    /// Lowers the variables of a type to at most this level; returns whether `wanted` occurs in it.
     bool visit(TypeId type, TypeId wanted, std::uint32_t level);
     /// Variables of a type above the current level, sorted.
     [[nodiscard]] std::vector<TypeId> open_variables(TypeId type);
@@ -174,13 +175,13 @@ private:
     std::uint64_t steps_ = 0;
 };
 
-/// Writes types in FDR's notation; one writer names the variables of several types alike.
+/// Prints types in FDR's notation; a writer gives variables the same names in several types.
 class TypeWriter {
 public:
     explicit TypeWriter(TypeStore& store) : store_(store) {}
-    /// The type alone.
+    /// The type without constraints.
     [[nodiscard]] std::string text(TypeId type);
-    /// The type with the constraints of its variables in front.
+    /// The type preceded by the constraints of its variables.
     [[nodiscard]] std::string with_constraints(TypeId type);
 
 private:
@@ -194,7 +195,7 @@ private:
     unsigned depth_ = 0;
 };
 
-/// How FDR writes a constraint.
+/// The name of a constraint in FDR.
 [[nodiscard]] std::string constraint_name(Constraint constraint);
 
 }  // namespace robochart::cspm::types

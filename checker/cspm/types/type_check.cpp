@@ -24,7 +24,7 @@ std::vector<NamedType> named_types(const types::ResolvedScript& script, types::T
     return result;
 }
 
-/// Walks over everything that points to a symbol.
+/// Visits everything that refers to a symbol.
 class NameTableMaker {
 public:
     explicit NameTableMaker(types::TypeStore& store) : store_(store) {}
@@ -84,7 +84,7 @@ private:
     void constructor(const types::ConstructorTerm& constructor) {
         if (constructor.symbol != nullptr) use(beginning(constructor.span, *constructor.symbol), constructor.symbol);
     }
-    /// The name that something begins with.
+    /// The span of the name at the beginning of a declaration or use.
     static Span beginning(Span span, const types::Symbol& symbol) {
         const std::size_t colons = symbol.name.rfind(':');
         const std::size_t length = symbol.name.size() - (colons == std::string::npos ? 0 : colons + 1);
@@ -109,7 +109,7 @@ std::vector<NamedType> check_types(const Script& script, diagnostics::Diagnostic
             types::Inference(*resolved, store, diagnostics).run();
             result = named_types(*resolved, store);
             if (table != nullptr) *table = NameTableMaker(store).run(*resolved);
-        } catch (const types::TypeOverflow&) {  // reported where it was found
+        } catch (const types::TypeOverflow&) {  // has been reported at its place
         }
     });
     return result;

@@ -7,7 +7,7 @@ namespace robochart::cspm::types {
 
 namespace {
 
-// How tightly: dotted types bind tighter than dotables; an argument of a dotable stands in parentheses if it is one.
+// Precedence: dotted types are higher than dotables; an argument of a dotable has parentheses if it is a dotable.
 enum Binding : int { loosest = 0, dot_part = 1, tightest = 2 };
 
 constexpr std::size_t longest_text = 300;

@@ -1,5 +1,5 @@
-// Unification: plain types, variables, and what dotted types are equal to (FDR manual, "Type system": dotable and
-// extendable types; the rules were read off tomgr/libcspm, which is FDR's own type checker).
+// Unification: plain types, variables, and equalities of dotted types (FDR manual, "Type system": dotable and
+// extendable types; the rules were derived from tomgr/libcspm, which is FDR's own type checker).
 #include "checker/cspm/types/unify.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace robochart::cspm::types {
 
 namespace {
 
-// Keeps a stack of what is being worked on, also when a fault passes through.
+// Keeps an element on a stack during its lifetime, also if an exception is thrown.
 template <typename T>
 class Pushed {
 public:
@@ -100,7 +100,7 @@ TypeId Unifier::unify_variables(TypeId a, TypeId b) {
 
 TypeId Unifier::unify_variable(TypeId variable, TypeId type) {
     if (store_.node(variable).rigid && is(type, TypeKind::dot)) {
-        // A variable of an annotation is equal to no dot, but to what a dot may yield.
+        // A variable of an annotation is never equal to a dot, but it may be equal to the dot's result.
         const TypeId yielded = store_.head(evaluate_dots(type));
         if (!is(yielded, TypeKind::dot)) return unify(variable, yielded);
     }
@@ -108,7 +108,7 @@ TypeId Unifier::unify_variable(TypeId variable, TypeId type) {
     return substitute(variable, type);
 }
 
-// A type that mentions the variable may still be equal to it, once dots are evaluated.
+// A type that contains the variable may still be equal to it after its dots have been evaluated.
 TypeId Unifier::substitute(TypeId variable, TypeId type) {
     if (store_.node(variable).rigid) mismatch();
     const std::uint32_t level = store_.node(variable).level;
@@ -138,7 +138,7 @@ TypeId Unifier::unify_arguments(TypeId a, TypeId b) {
 
 // ---------------------------------------------------------------- dotted types
 
-// Two things that need arguments. If what one yields is still extendable, it takes the other's further arguments.
+// Both need arguments. If the result of one is still extendable, it takes the other's further arguments.
 TypeId Unifier::unify_dotables(TypeId a, TypeId b) {
     Parts left;
     Parts right;
@@ -178,7 +178,7 @@ TypeId Unifier::unify_dots(TypeId a, TypeId b) {
     return store_.dot(combine(store_.dot_parts(a), store_.dot_parts(b)));
 }
 
-// h.x.y is a T if h yields a T once given x and y.
+// h.x.y is a T if h applied to x and y is a T.
 TypeId Unifier::unify_dot_with(TypeId dot, TypeId other, bool dot_expected) {
     if (dot_expected && one_way_) mismatch();
     Parts parts = store_.dot_parts(dot);
@@ -243,13 +243,13 @@ TypeId Unifier::unify_extendable(TypeId a, TypeId b) {
 
 // ---------------------------------------------------------------- findings
 
-// Dots that can be evaluated say more evaluated; what they bind no longer matters.
+// Dots that can be evaluated are printed evaluated; variables bound by this do not matter any more.
 TypeId Unifier::displayed(TypeId type) {
     if (failing_) return type;
     failing_ = true;
     try {
         type = evaluate_dots(type);
-    } catch (const TypeFault&) {  // shown as it is
+    } catch (const TypeFault&) {  // printed as it is
     }
     failing_ = false;
     return type;

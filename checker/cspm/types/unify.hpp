@@ -1,5 +1,5 @@
-// Making types equal. The rules of dotted types are FDR's: a dotted value takes as many arguments as its head can
-// take ("longest match") where a value is expected, and as few as it must where something extendable is.
+// Unification of types. The rules of dotted types are FDR's: a dotted value takes as many arguments as its head can
+// take ("longest match") if a value is expected, and as few as possible if something extendable is.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace robochart::cspm::types {
 
-/// A finding on its way to the declaration it is in.
+/// A finding, thrown to the declaration that contains it.
 struct TypeFault {
     const diagnostics::Rule* rule = nullptr;
     std::vector<std::string> arguments;
@@ -21,21 +21,21 @@ struct TypeFault {
 
 class Unifier {
 public:
-    /// `here`: the place findings are about, kept up to date by the owner.
+    /// `here`: the place for findings, which the owner updates.
     Unifier(TypeStore& store, const diagnostics::Span& here) : store_(store), here_(here) {}
 
-    /// Makes both equal and returns what they are; throws a TypeFault.
+    /// Makes both equal and returns the result; throws a TypeFault.
     TypeId unify(TypeId expected, TypeId actual);
-    /// The same, where a dotted value must not be taken apart to fit: patterns and arguments.
+    /// The same if a dotted value must not be taken apart: patterns and arguments.
     TypeId unify_one_way(TypeId expected, TypeId actual);
     /// Makes a type satisfy a constraint; throws a TypeFault.
     void constrain(Constraint constraint, TypeId type);
     void constrain_all(Constraints constraints, TypeId type);
-    /// Applies every head of a dotted type inside `type` to the parts that follow it.
+    /// Applies every head of a dotted type inside `type` to the following parts.
     TypeId evaluate_dots(TypeId type);
 
     TypeId instantiate(const Scheme& scheme);
-    /// A copy of a type with variables and datatypes replaced; both lists sorted.
+    /// A copy of a type in which variables and datatypes are replaced; both lists must be sorted.
     TypeId copy(TypeId type, const std::vector<std::pair<TypeId, TypeId>>& variables,
                 const std::vector<std::pair<std::uint32_t, std::uint32_t>>& datatypes);
 
@@ -69,8 +69,8 @@ private:
 
     TypeStore& store_;
     const diagnostics::Span& here_;
-    std::vector<std::pair<TypeId, TypeId>> pairs_;  // being made equal, outermost first: expected, actual
-    std::vector<TypeId> constrained_;               // being constrained, outermost first
+    std::vector<std::pair<TypeId, TypeId>> pairs_;  // pairs being unified, outermost first: expected, actual
+    std::vector<TypeId> constrained_;               // types being constrained, outermost first
     bool one_way_ = false;
     bool failing_ = false;
 };

@@ -1,4 +1,4 @@
-// Precedences as in FDR's grammar (libcspm, Parser.ppy): `.` binds tightest; `=>`, `=>*` and `->` reach to the right.
+// Precedences as in FDR's grammar (libcspm, Parser.ppy): `.` is highest; `=>`, `=>*` and `->` are right-associative.
 #include "checker/cspm/types/written_type.hpp"
 
 #include <array>
@@ -28,7 +28,7 @@ public:
     }
 
 private:
-    // `Eq a`: two names without anything between.
+    // `Eq a`: two adjacent names.
     bool constraint(WrittenScheme& scheme) {
         static constexpr std::array<Constraint, 5> all{can_equal, can_order, can_input, can_collect, can_yield};
         const std::string first = name();
@@ -92,7 +92,7 @@ private:
         return result;
     }
 
-    // (T) groups; (T, U) is a tuple, or the arguments of a function.
+    // (T) is a group; (T, U) is a tuple, or the arguments of a function.
     WrittenType parenthesis(bool& grouped) {
         grouped = true;
         WrittenType result{TypeKind::tuple, "", {}};

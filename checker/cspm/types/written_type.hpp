@@ -1,4 +1,4 @@
-// Types as written in annotations: the reader keeps their text, this takes it apart.
+// Parses types in annotations, which the reader stores as text.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace robochart::cspm::types {
 
-/// A type with its names as text. Kind `variable` is any name; extendable: variable, then result; function: result
-/// last.
+/// A type with its names as text. Kind `variable` is any name; extendable: variable, then result; function: the result
+/// is last.
 struct WrittenType {
     TypeKind kind = TypeKind::variable;
     std::string name;
@@ -21,7 +21,7 @@ struct WrittenScheme {
     WrittenType type;
 };
 
-/// The text must be one the reader has accepted (Parser::type_scheme).
+/// The text must have been accepted by the reader (Parser::type_scheme).
 [[nodiscard]] WrittenScheme read_type(std::string_view text);
 
 }  // namespace robochart::cspm::types
