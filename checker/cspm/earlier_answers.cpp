@@ -14,12 +14,12 @@ namespace robochart::cspm {
 
 namespace {
 
-/// A specification with more states is not looked at as a whole.
+/// Larger specifications are not visited as a whole.
 constexpr std::size_t most_specification_states = 20'000;
 
 struct GivesUp {};
 
-/// All of a system that is run as terms; none where it is large or cannot be evaluated as a whole.
+/// The whole graph of a system that runs as terms; no value if it is large or cannot be evaluated as a whole.
 std::optional<lts::Graph> whole(lts::TransitionSystem& system, const std::function<void()>& poll,
                                 const std::optional<std::chrono::milliseconds>& longest) {
     const auto start = std::chrono::steady_clock::now();
@@ -91,7 +91,7 @@ refine::Verdict answer(const Question& question, const QuestionKey& key, const M
         try {
             return ask(&findings);
         } catch (const std::logic_error&) {
-            // The violation is none of this process: it is searched for.
+            // The violation does not belong to this process, so a search is needed.
             findings.reset();
         }
     }

@@ -1,6 +1,5 @@
-// Answers of earlier runs. A question is known by the content of the compiled processes that it is about, so it is the
-// same question after every edit that leaves these processes what they were, whatever it does to the rest of the
-// script.
+// Answers of earlier runs. An assertion is identified by the content of its compiled processes, so it stays the same
+// after every edit of the script that does not change these processes.
 #pragma once
 
 #include <chrono>
@@ -15,39 +14,39 @@
 
 namespace robochart::cspm {
 
-/// What is asked of one or two processes that share their events.
+/// A check of one or two processes that share their events.
 struct Question {
     AssertionKind kind = AssertionKind::deadlock_free;
     refine::Model model = refine::Model::traces;
-    lts::TransitionSystem* specification = nullptr;  ///< of a refinement; else null
+    lts::TransitionSystem* specification = nullptr;  ///< for a refinement; otherwise null
     lts::TransitionSystem* process = nullptr;
     std::uint64_t max_states = 0;
-    bool reduction = false;  ///< whether the search may leave states out: its figures are others then
+    bool reduction = false;  ///< whether the search may leave states out, which changes its statistics
 };
 
-/// The name of a question in the cache, and the events that its answer is written with.
+/// The key of a check in the cache, and the events with which its answer is encoded.
 struct QuestionKey {
     diagnostics::Digest digest;
     process::EventSet named;
 };
 
-/// None where the process is not compiled, the specification is neither compiled nor small, or looking at all of it
-/// fails or takes longer than `longest`. Without `longest`, whether there is one does not depend on the time that it
-/// takes. Throws what `poll` throws.
+/// No value if the process is not compiled, if the specification is neither compiled nor small, or if visiting all of
+/// it fails or takes longer than `longest`. Without `longest`, the result does not depend on time. Throws the
+/// exceptions of `poll`.
 [[nodiscard]] std::optional<QuestionKey> key_of(const Question&, const std::function<void()>& poll,
                                                 const std::optional<std::chrono::milliseconds>& longest);
 
-/// For answers that are a help alone.
+/// For answers that only save time.
 inline constexpr std::chrono::milliseconds longest_look{1000};
 
-/// Where answers are kept, and of which searches.
+/// Where answers are stored, and for which searches.
 struct Memory {
     diagnostics::Cache* cache = nullptr;
     std::uint64_t fewest_states = 0;
 };
 
-/// Asks, with the findings of an earlier run where the memory has them, and keeps the findings of a search
-/// that was large enough. `ask` decides the question (check.hpp) with what is known. Findings that are not confirmed
+/// Runs the check, with the findings of an earlier run if the memory contains them, and stores the findings of a search
+/// that was large enough. `ask` decides the check (check.hpp) with the known findings. Findings that are not confirmed
 /// are not used.
 [[nodiscard]] refine::Verdict answer(const Question&, const QuestionKey&, const Memory&,
                                      const std::function<refine::Verdict(refine::Earlier)>& ask);

@@ -31,8 +31,8 @@ namespace {
 
 using PlaceOfTerm = std::function<Span(process::TermId)>;
 
-// What the firing rules object to becomes an error of evaluation, so that users of a session see one kind: at the
-// definition at fault, if `place_of` knows it, or else at `span`.
+// Converts errors of the firing rules to evaluation errors, so that users of a session see one kind: at the erroneous
+// definition, if `place_of` knows it, otherwise at `span`.
 template <class Work>
 auto evaluated(Span span, const PlaceOfTerm& place_of, const Work& work) {
     try {
@@ -46,7 +46,7 @@ auto evaluated(Span span, const PlaceOfTerm& place_of, const Work& work) {
 // A process that stays a term.
 class SessionSystem final : public lts::TransitionSystem {
 public:
-    /// Faults are placed at the definition at fault, which `place` says, or else at `span`.
+    /// Errors are placed at the erroneous definition, which `place` returns, or otherwise at `span`.
     SessionSystem(process::OperationalSemantics& semantics, process::TermId term, Span span, PlaceOfTerm place)
         : system_(semantics, term), span_(span), place_(std::move(place)) {}
 
@@ -66,7 +66,7 @@ private:
     PlaceOfTerm place_;
 };
 
-/// At most so much of a description that a line holds it; characters stay whole.
+/// Truncates a description to one line, without splitting characters.
 std::string brief(std::string text) {
     constexpr std::size_t longest = 80;
     if (text.size() <= longest) return text;
@@ -124,7 +124,7 @@ struct Session::Impl {
             span, [this](process::TermId at) { return place_of(at); }, work);
     }
 
-    /// The first definition that a call in the term is of.
+    /// The definition of the first call in the term.
     Span place_of(process::TermId term) {
         const process::Term& at = terms[term];
         if (at.op == process::Op::call) return evaluator.place_of_call(at.payload);
@@ -149,7 +149,7 @@ struct Session::Impl {
     std::unique_ptr<lts::TransitionSystem> whole_system(process::TermId term, Span span,
                                                         const std::function<void()>& poll) {
         machine::Bounds bounds;
-        bounds.component_states *= 10;  // nothing makes them smaller
+        bounds.component_states *= 10;  // because they are not minimised
         bounds.minimised_states = 0;
         bounds.region_states = 0;
         auto compiled = machine::Compiler(semantics, bounds).compile(term, poll);
@@ -171,7 +171,7 @@ struct Session::Impl {
         return system(term_of(expr, assertion), expr->span, poll);
     }
 
-    /// Gives the run's descriptions the values that they leave out; returns the run of terms of `whole`.
+    /// Adds the omitted values to the run's descriptions; returns the run of terms in `whole`.
     std::optional<WholeRun> with_values(process::TermId process, std::string& initial, std::vector<refine::Step>& run) {
         std::optional<WholeRun> found = whole_run(whole->semantics, whole->events, process, initial, run, events);
         if (!found) return std::nullopt;
@@ -212,11 +212,11 @@ struct Session::Impl {
         }
     }
 
-    /// The definitions are worked out within the limits of what asks for them while this lives.
+    /// During its lifetime, definitions are evaluated within the limits of the check that needs them.
     class Polling {
     public:
         Polling(Impl& impl, refine::Budget& budget) : impl_(impl) {
-            // The evaluator asks seldom, since its steps are small.
+            // The evaluator polls seldom, since its steps are small.
             constexpr std::uint64_t at_once = 1024;
             impl_.evaluator.watch([&budget] { budget.charge(at_once); });
             impl_.semantics.watch([this, &budget] {
@@ -243,8 +243,8 @@ struct Session::Impl {
         progress.states = stage.states;
     }
 
-    /// While something is compiled. A component with more states than the check may have is not compiled: it runs as a
-    /// term, of which only those states count that the whole reaches.
+    /// Used during compilation. A component with more states than the check's limit is not compiled: it runs as a term,
+    /// of which only the states that the whole process reaches count.
     std::function<void()> polling_within(refine::Budget& budget, const refine::Limits& limits) const {
         return [this, &budget, most = limits.max_states] {
             budget.charge();
@@ -253,7 +253,7 @@ struct Session::Impl {
     }
 
     struct Sides {
-        std::unique_ptr<lts::TransitionSystem> first, second;  ///< second: only of a refinement
+        std::unique_ptr<lts::TransitionSystem> first, second;  ///< second: only for a refinement
     };
 
     Sides sides(const Decl& assertion, const refine::Limits& limits) {
@@ -268,7 +268,7 @@ struct Session::Impl {
         return result;
     }
 
-    /// How far compilation was when it was stopped.
+    /// The stage of the compilation when it was stopped.
     std::string stage_reached() const {
         const machine::Compiler::Stage& stage = compiler.stage();
         if (!stage.component) return "";
@@ -278,7 +278,7 @@ struct Session::Impl {
         return text;
     }
 
-    /// A strategy by levels knows of each question before anything of it is worked out.
+    /// A strategy by levels is notified of each assertion before it is evaluated.
     refine::Verdict decide(const Decl& assertion, const refine::Limits& limits, AssertionResult& result) {
         refine::LevelStrategy* const strategy = limits.by_levels;
         if (strategy == nullptr) return decide_begun(assertion, limits, result);
@@ -326,8 +326,8 @@ struct Session::Impl {
                 limits.reduction};
     }
 
-    /// Such a search may go on from that of an earlier run, whatever bound ended it. Its answers have a place of their
-    /// own, since figures of searches that find something are others.
+    /// Such a search may continue an earlier run's, independently of the limit that ended it. Its answers are stored
+    /// separately, since the statistics of a search that finds a violation differ.
     refine::Verdict decide_by_levels(Question question, refine::LevelStrategy& strategy, refine::Budget& evaluation,
                                      const std::function<refine::Verdict(refine::Earlier)>& ask) {
         question.max_states = 0;
@@ -371,8 +371,7 @@ struct Session::Impl {
     Resolver resolver;
     Evaluator evaluator;
     Memory memory;
-    std::unique_ptr<Impl>
-        whole;  ///< the same script with all arguments kept; null until a run is to be shown with them
+    std::unique_ptr<Impl> whole;  ///< the same script with all arguments kept; null until it is needed to display a run
 };
 
 Session::Session(Script script, diagnostics::Budget* budget, bool whole_states)
@@ -427,7 +426,8 @@ std::optional<process::Behaviour> Session::behaviour(const refine::Counterexampl
     try {
         return process::behaviour(impl_->semantics, counterexample.terms.front(), run, offers);
     } catch (const EvaluationError&) {
-        // Inside a compression terms are looked at that nothing has asked for: the verdict does without them.
+        // Terms inside a compression may be visited that the search has not evaluated; the verdict is given without
+        // them.
     } catch (const process::SemanticsError&) {
     }
     return std::nullopt;
@@ -481,7 +481,7 @@ std::optional<process::Behaviour> Session::behaviour_with_values(const Decl& ass
     };
     const bool values =
         leaves_values_out(counterexample.initial) || lacks(counterexample.steps) || lacks(counterexample.accepting);
-    // In a loop values may change round after round: as a state it is one without them.
+    // In a loop, values may change in every round, although the state without them repeats.
     if (!values || counterexample.terms.empty() || !counterexample.loop.empty())
         return behaviour(counterexample, limits);
     try {

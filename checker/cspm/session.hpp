@@ -1,4 +1,4 @@
-// A script made ready: evaluates expressions, builds processes, decides assertions.
+// A compiled script: evaluates expressions, builds processes, decides assertions.
 #pragma once
 
 #include <memory>
@@ -23,64 +23,65 @@ struct AssertionResult {
     std::string text;  ///< the assertion as printed
     Span span;
     bool negated = false;
-    refine::Verdict verdict;         ///< already turned round for `not`: holds means the assertion as worded holds
-    double compile_seconds = 0;      ///< evaluating and compiling, before the search
-    double compile_cpu_seconds = 0;  ///< processor time of that, of all threads
+    refine::Verdict verdict;         ///< already negated for `not`: holds means that the assertion as written holds
+    double compile_seconds = 0;      ///< time of evaluation and compilation, before the search
+    double compile_cpu_seconds = 0;  ///< processor time of all threads for this
 };
 
 /// One loaded script with its events, terms and definitions. Not thread-safe.
 class Session {
 public:
-    /// The budget is polled while the script is made ready: instances of modules copy what they are made of.
-    /// `whole_states`: processes keep also those arguments that nothing reads, for whoever asks a state for them.
+    /// The budget is polled while the script is compiled, because instances copy their modules. `whole_states`:
+    /// processes also keep arguments that are never read, for callers that read them from states.
     explicit Session(Script script, diagnostics::Budget* budget = nullptr, bool whole_states = false);
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
     [[nodiscard]] const Script& script() const;
-    /// Places of the assertions in the script, in order (inside modules and timed sections too).
+    /// The assertions of the script, in order (including those inside modules and timed sections).
     [[nodiscard]] std::vector<DeclPtr> assertions() const;
-    /// Decides one assertion. Evaluation errors are thrown; limits give inconclusive.
+    /// Decides one assertion. Throws evaluation errors; limits give inconclusive.
     [[nodiscard]] AssertionResult check(const Decl& assertion, const refine::Limits&);
 
-    /// Takes answers of earlier runs from this cache, and keeps those of this one there whose search had so many
-    /// states; a smaller search is done again sooner than it is looked up. The cache has to outlive the session.
+    /// Uses answers of earlier runs from this cache, and stores those of this run whose search had at least this many
+    /// states; repeating a smaller search is faster than a look-up. The cache must outlive the session.
     void remember(diagnostics::Cache& cache, std::uint64_t fewest_states = 1000);
 
-    /// Reports calls of these functions while processes are evaluated. Each state's calls are reported once, whichever
-    /// assertion asks first; so it is to be set before the first check.
+    /// Reports calls of these functions while processes are evaluated. Each state's calls are reported once, for the
+    /// first assertion that evaluates it, so this must be called before the first check.
     void observe(CallObserver observer);
 
-    /// The run of a counterexample taken apart down to the components; the loop of a divergence follows the trace. None
-    /// where its states are not terms. Without `offers` no state behind the run's is looked into.
+    /// The run of a counterexample taken apart into components; the loop of a divergence follows the trace. No value if
+    /// its states are not terms. Without `offers`, no state after the run is computed.
     [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&, bool offers = true);
-    /// The same within limits; none where one is reached.
+    /// The same within limits; no value if one is reached.
     [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&, const refine::Limits&);
-    /// The same for people: the descriptions in the counterexample get the values of arguments that nothing reads,
-    /// which the terms of states do not have. The terms of this behaviour are not the session's.
+    /// The same for display: adds to the descriptions in the counterexample the values of arguments that are never
+    /// read, which the terms of states do not contain. The terms of this behaviour are not the session's.
     [[nodiscard]] std::optional<process::Behaviour> behaviour_with_values(const Decl& assertion,
                                                                           refine::Counterexample&,
                                                                           const refine::Limits&);
-    /// What a term can do. Throws EvaluationError or process::SemanticsError where its definitions cannot be evaluated.
+    /// The transitions of a term. Throws EvaluationError or process::SemanticsError if its definitions cannot be
+    /// evaluated.
     [[nodiscard]] std::vector<process::Transition> transitions(process::TermId term);
-    /// One of these taken apart: what each component does in it.
+    /// Takes one of these apart: what each component does in it.
     [[nodiscard]] std::vector<process::Move> moves(process::TermId term, const process::Transition& step);
 
     /// An expression in the script's global scope as a process.
     [[nodiscard]] process::TermId process(const ExprPtr&);
-    /// The same as a transition system that shares this session's events; valid while the session lives.
+    /// The same as a transition system that shares this session's events; valid during the session's lifetime.
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> system(const ExprPtr&);
-    /// The same within limits; throws process::Interrupted where one is reached while compiling.
+    /// The same within limits; throws process::Interrupted if one is reached during compilation.
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> system(const ExprPtr&, const refine::Limits&);
-    /// The same, with every component as it is: none is replaced by a smaller one that behaves like it, so that a state
-    /// tells where each component is, and hidden events keep their names.
+    /// The same with unreduced components: none is replaced by a smaller equivalent one, so that a state determines the
+    /// state of each component, and hidden events keep their names.
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> whole_system(const ExprPtr&, const refine::Limits&);
     /// An expression that denotes an event or a set of events.
     [[nodiscard]] process::EventSet events(const ExprPtr&);
-    /// An expression of any other type, printed as FDR's `print` does.
+    /// An expression of any other type, printed like FDR's `print`.
     [[nodiscard]] std::string evaluate(const ExprPtr&);
-    /// The same within limits; throws process::Interrupted where one is reached.
+    /// The same within limits; throws process::Interrupted if one is reached.
     [[nodiscard]] std::string evaluate(const ExprPtr&, const refine::Limits&);
 
     [[nodiscard]] process::EventTable& event_table();

@@ -5,7 +5,7 @@
 namespace robochart::cspm {
 namespace {
 
-/// The next place of a value that is left out: a line between two of `(`, `,` and `)`.
+/// The position of the next omitted value: an underscore between two of `(`, `,` and `)`.
 std::size_t next_place(std::string_view description, std::size_t from) {
     for (std::size_t at = description.find('_', from); at != std::string_view::npos;
          at = description.find('_', at + 1)) {
@@ -17,7 +17,7 @@ std::size_t next_place(std::string_view description, std::size_t from) {
     return std::string_view::npos;
 }
 
-/// A state reached, and which one of those before the step it was reached from.
+/// A reached state, and the index of its predecessor among those before the step.
 struct Reached {
     process::Transition step;
     std::size_t from;
@@ -29,7 +29,7 @@ bool leaves_values_out(std::string_view description) {
     return next_place(description, 0) != std::string_view::npos;
 }
 
-// What stands between the places comes in the same order, the first part in front, the last one at the end.
+// The texts between the omitted values must occur in the same order, the first at the beginning, the last at the end.
 bool describes(std::string_view with_places, std::string_view with_values) {
     std::size_t begin = 0;
     std::size_t at = 0;

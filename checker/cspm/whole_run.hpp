@@ -1,5 +1,5 @@
-// Arguments that nothing reads are no part of a state, so that a run does not have their values. Here it is taken again
-// in the same script with all arguments kept, for whoever reads it.
+// Arguments that are never read are not part of a state, so a run does not contain their values. This file repeats the
+// run in the same script with all arguments kept, for display.
 #pragma once
 
 #include <functional>
@@ -13,9 +13,9 @@
 
 namespace robochart::cspm {
 
-/// Whether a description has the place of an argument without its value: `Done(_,1)`.
+/// Whether a description contains an omitted value: `Done(_,1)`.
 [[nodiscard]] bool leaves_values_out(std::string_view description);
-/// Whether the description could be the other one's with some values left out.
+/// Whether the first description could be the second one with some values omitted.
 [[nodiscard]] bool describes(std::string_view with_places, std::string_view with_values);
 
 /// A run of terms.
@@ -24,14 +24,14 @@ struct WholeRun {
     std::vector<process::Transition> steps;
 };
 
-/// The run of `initial` with the same steps, by the names of their events, through states of which those of `run` are
-/// the descriptions; none where there is none, or it is not found with little work.
+/// The run of `initial` with the same steps, by the names of their events, through states that match the descriptions
+/// in `run`; no value if there is none, or if it is not found with little work.
 [[nodiscard]] std::optional<WholeRun> whole_run(process::OperationalSemantics& semantics,
                                                 const process::EventTable& events, process::TermId initial,
                                                 const std::string& description, const std::vector<refine::Step>& run,
                                                 const process::EventTable& events_of_run);
 
-/// The same behaviour with each event as `other` says.
+/// The same behaviour with each event replaced by `other`.
 void translate(process::Behaviour& behaviour, const std::function<process::Event(process::Event)>& other);
 
 }  // namespace robochart::cspm

@@ -1,4 +1,4 @@
-// What the predefined names do (FDR manual, chapter CSPM, Built-In Definitions).
+// The predefined functions (FDR manual, chapter CSPM, Built-In Definitions).
 #include "checker/cspm/eval/builtin_functions.hpp"
 
 #include <map>
@@ -66,7 +66,7 @@ const Values& BuiltinFunctions::items(Value sequence, Span span) const {
 
 Value BuiltinFunctions::call(Value builtin, Values arguments, Span span) {
     const auto which = static_cast<Builtin>(builtin->number);
-    // relational_image(R)(x): the relation is kept in the built-in's items.
+    // relational_image(R)(x): the relation is stored in the built-in's items.
     if ((which == Builtin::relational_image || which == Builtin::relational_inverse_image) && !builtin->items.empty()) {
         arguments.insert(arguments.begin(), builtin->items[0]);
         return relation_builtin(which, arguments, span);
@@ -101,8 +101,8 @@ Value BuiltinFunctions::call(Value builtin, Values arguments, Span span) {
     }
 }
 
-// Equal values have equal texts, so that sets are listed where they can be; values that have no text of their own, or
-// no end, are refused.
+// Equal values must have equal texts, so sets are listed if possible; infinite values and values without a unique text
+// are rejected.
 Value BuiltinFunctions::with_text(Value value, Span span) {
     switch (value->kind) {
         case Kind::process:
@@ -177,7 +177,7 @@ Value BuiltinFunctions::relation_builtin(Builtin which, const Values& arguments,
 }
 
 // mtransclose(R, S): the classes of R's symmetric and transitive closure, as pairs (representative, x) of members of S,
-// without (x, x). The manual does not define the representative of a class: ours is the least one in S.
+// without (x, x). The manual does not define the representative of a class: here it is the least one in S.
 Value BuiltinFunctions::representatives(Value relation, Value set, Span span) {
     std::map<Value, Values> related;
     for (const Value pair : domains_.elements(relation, span)) {
@@ -237,7 +237,7 @@ std::uint32_t compression(Builtin which) {
 
 }  // namespace
 
-/// BUFFER(capacity, {(input, output)}), empty.
+/// An empty BUFFER(capacity, {(input, output)}).
 process::TermId BuiltinFunctions::buffer(const Values& arguments, Span span) {
     const Value bound = arguments[0];
     if (bound->kind != Kind::integer || bound->number < 1)
@@ -253,7 +253,7 @@ process::TermId BuiltinFunctions::buffer(const Values& arguments, Span span) {
 
 /// The order of prioritisepo(P, prioritised, pairs, maximal).
 process::RenamingId BuiltinFunctions::partial_order(const Values& arguments, Span span) {
-    // One after the other: events are numbered in the order in which they are first met.
+    // One after the other, because events are numbered in the order of first use.
     const process::EventSet prioritised = domains_.event_set(arguments[1], span);
     std::vector<process::EventPair> pairs;
     for (const Value pair : domains_.elements(arguments[2], span)) {
@@ -320,7 +320,7 @@ Value BuiltinFunctions::process_builtin(Builtin which, Value builtin, const Valu
             return made(processes_.call(builtin, arguments));
         case Builtin::buffer:
             return made(buffer(arguments, span));
-        // Terms, so that they can be named and compared; what they do is refused when it is asked for.
+        // They are terms, so that they can be named and compared; computing their transitions is an error.
         case Builtin::failure_watchdog:
         case Builtin::trace_watchdog: {
             process::Term result{Op::compress, compression(which), {processes_.term(arguments[0], span)}, {}};

@@ -1,5 +1,5 @@
-// What the predefined names do (FDR manual, chapter CSPM, Built-In Definitions), but those that evaluate their
-// arguments as far as they need them only (takes_by_need, Evaluator::call_builtin).
+// The predefined functions (FDR manual, chapter CSPM, Built-In Definitions), except those that evaluate their arguments
+// only as far as they need them (takes_by_need, Evaluator::call_builtin).
 #pragma once
 
 #include "checker/cspm/eval/process_terms.hpp"
@@ -7,7 +7,7 @@
 
 namespace robochart::cspm {
 
-/// Owns nothing: computes with evaluated arguments.
+/// Has no data; computes with evaluated arguments.
 class BuiltinFunctions {
 public:
     BuiltinFunctions(const Program& program, ValueStore& store, process::EventTable& events, process::TermStore& terms,
@@ -20,7 +20,7 @@ public:
           processes_(processes),
           text_(program) {}
 
-    /// What a predefined name denotes; `timed`: the timed section that it occurs in, or null.
+    /// The value of a predefined name; `timed`: the timed section in which it occurs, or null.
     Value value(Builtin which, const TimedSection* timed);
     Value call(Value builtin, Values arguments, Span span);
     void check_arity(Builtin which, std::size_t arguments, Span span) const;

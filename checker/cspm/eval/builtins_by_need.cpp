@@ -1,5 +1,5 @@
-// The built-ins that evaluate their arguments as far as they need them: functions on sequences and maps (FDR manual,
-// chapter CSPM, Built-In Definitions).
+// The built-ins that evaluate their arguments only as far as they need them: functions on sequences and maps (FDR
+// manual, chapter CSPM, Built-In Definitions).
 #include <algorithm>
 
 #include "checker/cspm/eval/by_need.hpp"
@@ -22,7 +22,7 @@ Value ByNeed::call(Value builtin, Values arguments, Span span) {
     if (!takes_by_need(which)) {
         if ((which == Builtin::inter || which == Builtin::diff) && arguments.size() == 2) {
             const Value first = values_.share(values_.forced(arguments[0]));
-            if (first->kind == Kind::set && first->items.empty()) return first;  // whatever the other one is
+            if (first->kind == Kind::set && first->items.empty()) return first;  // for every second argument
             arguments[0] = first;
         }
         for (Value& argument : arguments) argument = values_.share(values_.force(argument));
@@ -59,7 +59,7 @@ Value ByNeed::sequence_builtin(Builtin which, const Values& arguments, Span span
                 if (part->kind == Kind::thunk && static_cast<const Thunk&>(*part).result != nullptr)
                     part = values_.force(part);
                 if (part->kind != Kind::sequence) {
-                    // It waits or has no end: so does what comes after.
+                    // It is unevaluated or infinite, and so is everything after it.
                     Value rest = store_.sequence({});
                     for (std::size_t k = parts->items.size(); k-- > i + 1;) rest = part_before(parts->items[k], rest);
                     return append(store_.compound(Kind::sequence, 0, std::move(items)), part_before(part, rest));
@@ -73,7 +73,7 @@ Value ByNeed::sequence_builtin(Builtin which, const Values& arguments, Span span
     }
 }
 
-// part ^ rest, where the part may wait.
+// part ^ rest, where the part may be unevaluated.
 Value ByNeed::part_before(Value part, Value rest) {
     if (part->kind == Kind::sequence && rest->kind == Kind::sequence) return append(part, rest);
     if (rest->kind == Kind::sequence && rest->items.empty()) return part;
@@ -82,7 +82,7 @@ Value ByNeed::part_before(Value part, Value rest) {
 
 namespace {
 
-// The position of a key in k1, v1, k2, v2..., or the position to insert it at.
+// The position of a key in k1, v1, k2, v2..., or its insertion position.
 std::size_t key_place(const Values& items, Value key) {
     std::size_t at = 0;
     while (at < items.size() && compare(items[at], key) < 0) at += 2;
@@ -99,7 +99,7 @@ void put(Values& items, Value key, Value value) {
 
 }  // namespace
 
-// Keys have values, what they stand for may wait.
+// Keys are evaluated; their values may be unevaluated.
 Value ByNeed::map_builtin(Builtin which, const Values& arguments, Span span) {
     const auto put_all = [&](Values items, const Values& pairs) {
         for (const Value each : pairs) {
@@ -114,7 +114,7 @@ Value ByNeed::map_builtin(Builtin which, const Values& arguments, Span span) {
     if (which == Builtin::map_from_list) return put_all({}, written_out(arguments[0], span)->items);
     Values items = map_items(values_.forced(arguments[0]), span);
     if (which == Builtin::map_update_multiple) {
-        // Of pairs with one key the first counts, where mapFromList takes the last (libcspm, Evaluator).
+        // Among pairs with the same key the first counts, while mapFromList takes the last (libcspm, Evaluator).
         Values pairs = written_out(arguments[1], span)->items;
         std::reverse(pairs.begin(), pairs.end());
         return put_all(std::move(items), pairs);

@@ -1,5 +1,5 @@
-// Sequences and maps that are evaluated as far as they are asked for: streams, the order and equality of values, and
-// the built-ins that take their arguments by need.
+// Sequences and maps that are evaluated on demand: streams, the order and equality of values, and the built-ins that
+// take their arguments by need.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,7 @@ namespace robochart::cspm {
 
 class Evaluator;
 
-/// Owns the list of comprehensions that streams go on with. What is computed fails by `Work::fail` with the place
-/// given.
+/// Owns the list of comprehensions from which streams continue. Errors are thrown by `Work::fail` with the given place.
 class ByNeed {
 public:
     /// The first element of a sequence and the sequence of the others.
@@ -24,13 +23,13 @@ public:
         Value head;
         Value tail;
     };
-    /// Generators of a comprehension from one on.
+    /// The generators of a comprehension, beginning with a given one.
     struct Comprehension {
         const Code* code;
         std::size_t clause;
     };
 
-    /// What it shares with the evaluator of values.
+    /// Data shared with the evaluator of values.
     struct Tables {
         const Program& program;
         ValueStore& store;
@@ -47,15 +46,16 @@ public:
           text_(tables.program) {}
 
     // streams.cpp
-    /// `first ^ rest`, where the rest may wait.
+    /// `first ^ rest`, where the rest may be unevaluated.
     Value append(Value first, Value rest);
-    /// `first`, then what the comprehension makes of the elements of `source`; `frame`: the variables around.
+    /// `first`, followed by the elements that the comprehension makes from those of `source`; `frame`: the variables
+    /// around it.
     Value stream(Value first, Value source, Comprehension of, const Values& frame);
-    /// None if the sequence has no element.
+    /// No value if the sequence is empty.
     std::optional<Cut> next(Value sequence, Span span);
     /// The sequence with all its elements in `items`.
     Value written_out(Value sequence, Span span);
-    /// The sequence it is, if it has an end; else the stream with nothing that waits but its elements.
+    /// The sequence itself if it is finite; otherwise the stream in which only elements may be unevaluated.
     Value share_stream(Value value);
     /// Equality of tuples, sequences and maps part by part, up to the first difference.
     bool equal(Value a, Value b, Span span);
@@ -64,9 +64,9 @@ public:
     bool less(Value a, Value b, Span span);
 
     // builtins_by_need.cpp
-    /// Any built-in; its arguments are evaluated as far as it needs them.
+    /// Any built-in; evaluates its arguments only as far as it needs them.
     Value call(Value builtin, Values arguments, Span span);
-    /// A built-in of maps; keys have values, what they stand for may wait.
+    /// A built-in of maps; keys are evaluated, their values may be unevaluated.
     Value map_builtin(Builtin which, const Values& arguments, Span span);
     /// All elements of a sequence, evaluated.
     Values sequence(Value value, Span span);
@@ -85,7 +85,7 @@ private:
     Domains& domains_;
     BuiltinFunctions& builtins_;
     ValueText text_;
-    std::vector<Comprehension> streams_;  // those that sequences come from which are not written out
+    std::vector<Comprehension> streams_;  // comprehensions of sequences that are not written out
 };
 
 }  // namespace robochart::cspm

@@ -37,11 +37,11 @@ Value Evaluator::call(Value function, Values arguments, Span span) {
     return result;
 }
 
-/// The observer hears of the call with its numbers as they are known by now.
+/// Reports the call to the observer, with the numbers that are known by now.
 void Evaluator::tell(const Function& function, const Values& arguments, Value result, Span span) {
     if (function.watched < 0) function.watched = observer_.functions.contains(function.name) ? 1 : 0;
     if (function.watched == 0) return;
-    // What has not been asked for stays unknown: it may have no value.
+    // Unevaluated arguments stay unknown, because they may have no value.
     const auto number = [](Value value) -> std::optional<std::int64_t> {
         if (value->kind == Kind::thunk) value = static_cast<const Thunk&>(*value).result;
         if (value == nullptr || value->kind != Kind::integer) return std::nullopt;
@@ -135,7 +135,7 @@ Value Evaluator::member(const GroupObject& group, int index, Span span) {
         try {
             value = share(value);
         } catch (const EvaluationError&) {
-            return value;  // a part of it has no value; it is worked out again where it is asked for again
+            return value;  // a part of it has no value; it is evaluated again when it is needed again
         }
     }
     group.known[at] = value;
@@ -167,7 +167,7 @@ Value Evaluator::global(int index, Span span) {
     if (value->shared) return global.known = value;
     try {
         return global.known = share(value);
-    } catch (const EvaluationError&) {  // a part of it has no value; the others may be all that is asked for
+    } catch (const EvaluationError&) {  // a part of it has no value; the other parts may suffice
     }
     global.lazily_entry = work_.question();
     return global.lazily = value;
@@ -183,7 +183,7 @@ Value Evaluator::global_constant(Global& global) {
             return component(source.function.clauses.at(0), whole, global.component_slot, global.function.span);
         }
         case GlobalKind::datatype:
-            break;  // answered before
+            break;  // has been evaluated meanwhile
         case GlobalKind::subtype:
             return domains_.subtype_set(global);
         case GlobalKind::nametype: {
@@ -247,7 +247,7 @@ bool Evaluator::match(const MatchCode& pattern, Value& value, Frame& frame) {
 
 namespace {
 
-// p ^ q ^ r as its parts; sequence patterns have a length, one other part may take the rest.
+// The parts of p ^ q ^ r; sequence patterns have a fixed length, and at most one other part matches the rest.
 void concat_parts(const MatchCode& pattern, std::vector<const MatchCode*>& parts) {
     if (pattern.kind != PatternKind::concat) return parts.push_back(&pattern);
     for (const MatchCode& arg : pattern.args) concat_parts(arg, parts);
@@ -255,7 +255,7 @@ void concat_parts(const MatchCode& pattern, std::vector<const MatchCode*>& parts
 
 }  // namespace
 
-// <x, y> ^ rest takes elements off the front; a pattern that ends is not met by what does not end.
+// <x, y> ^ rest removes elements from the front; a finite pattern does not match an infinite sequence.
 bool Evaluator::match_stream(const std::vector<const MatchCode*>& parts, Value value, Frame& frame) {
     for (const MatchCode* part : parts) {
         if (part->kind != PatternKind::sequence) return match(*part, value, frame);
@@ -307,7 +307,7 @@ bool Evaluator::match_sequence(const MatchCode& pattern, Value value, Frame& fra
 
 namespace {
 
-// How many fields a part of a dot pattern stands for, but for the last part, which takes what is left.
+// The number of fields that a part of a dot pattern matches, except for the last part, which matches the rest.
 std::size_t fields_taken(const MatchCode& pattern) {
     if (pattern.kind == PatternKind::both)
         return std::max(fields_taken(pattern.args[0]), fields_taken(pattern.args[1]));

@@ -1,5 +1,5 @@
-// Expressions made ready to run: names resolved to frame slots, members of a let, global definitions,
-// constructors or built-ins, so that evaluation never looks at a name.
+// Expressions as code for evaluation: names are resolved to frame slots, members of a let, global definitions,
+// constructors or built-ins, so that evaluation never looks up a name.
 #pragma once
 
 #include <cstdint>
@@ -19,20 +19,21 @@ namespace robochart::cspm {
 struct Unit {
     Unit* parent = nullptr;
     const Group* group = nullptr;               ///< the let whose environment this unit is
-    const Group* member_of = nullptr;           ///< the let whose member this unit belongs to
+    const Group* member_of = nullptr;           ///< the let to which this unit's member belongs
     std::vector<std::pair<int, int>> captures;  ///< (slot in the parent's frame, slot here)
-    int self_slot = -1;                         ///< where the member's own group object goes
+    int self_slot = -1;                         ///< the slot for the member's own group object
     int size = 0;
 };
 
 struct MatchCode {
     PatternKind kind = PatternKind::wildcard;
-    bool head = false;  ///< name: a constructor or channel, `number` its index; else a variable, `number` its slot
+    bool head = false;  ///< name: a constructor or channel, `number` is its index; otherwise a variable, `number` is
+                        ///< its slot
     std::int64_t number = 0;
     std::vector<MatchCode> args;
 };
 
-/// What a name means.
+/// The kinds of meanings of a name.
 enum class Reference : std::uint8_t { none, local, member, global, head, builtin };
 
 /// The duration function and tock of a timed section.
@@ -40,7 +41,7 @@ struct TimedSection {
     const Code* duration = nullptr;  ///< null: every event takes one unit
     Unit* unit = nullptr;
     int tock = -1;                   ///< head index
-    Value duration_value = nullptr;  ///< once evaluated
+    Value duration_value = nullptr;  ///< set after its evaluation
 };
 
 struct FieldCode {
@@ -65,7 +66,7 @@ struct Code {
     Value constant = nullptr;
     std::vector<const Code*> args;
     std::vector<FieldCode> fields;
-    std::vector<ClauseCode> clauses;  ///< prefix: whose events are those of a set, `[] e : S @ e -> P`
+    std::vector<ClauseCode> clauses;  ///< prefix: those of `[] e : S @ e -> P`, if its events are those of a set
     std::vector<std::pair<const Code*, const Code*>> links;
     std::vector<ClauseCode> link_clauses;  ///< replicated linked parallel: clauses of the links
     Unit* unit = nullptr;                  ///< prefix
@@ -73,12 +74,12 @@ struct Code {
     const Group* group = nullptr;          ///< let
     TimedSection* timed = nullptr;         ///< inside a timed section
     std::uint32_t number = 0;              ///< prefix: identity
-    mutable std::uint8_t too_long = 0;     ///< how often its value was asked for too early and given up (promise)
+    mutable std::uint8_t too_long = 0;     ///< how often its value was requested too early and given up (promise)
 };
 
 struct FunctionClause {
     Unit* unit = nullptr;
-    std::vector<MatchCode> patterns;  ///< all groups, one after the other
+    std::vector<MatchCode> patterns;  ///< the patterns of all groups, one after the other
     const Code* body = nullptr;
 };
 
@@ -87,18 +88,18 @@ struct Function {
     std::uint32_t number = 0;
     std::string name;
     Span span;
-    std::vector<std::size_t> groups;  ///< arguments a group
+    std::vector<std::size_t> groups;  ///< number of arguments in each group
     std::vector<FunctionClause> clauses;
-    std::vector<bool> unread;          ///< one group only: per argument, whether nothing reads it
-    std::size_t environment = 0;       ///< captured items before the arguments
-    mutable std::int8_t watched = -1;  ///< whether its calls are observed; -1: not yet known
-    mutable std::int8_t process = -1;  ///< whether its result is plainly a process; -1: not yet known
+    std::vector<bool> unread;          ///< only for a single group: for each argument, whether it is never read
+    std::size_t environment = 0;       ///< number of captured items before the arguments
+    mutable std::int8_t watched = -1;  ///< whether its calls are observed; -1: unknown
+    mutable std::int8_t process = -1;  ///< whether its result is obviously a process; -1: unknown
 };
 
 /// A let's declarations; a member is a function, a constant, or a part of a constant that is a pattern.
 struct Member {
     Function function;
-    int component_of = -1;  ///< a constant member matched by a pattern
+    int component_of = -1;  ///< a constant member that a pattern matches
     int component_slot = -1;
 };
 struct Group {
@@ -112,29 +113,29 @@ struct Head {
     std::string name;  ///< as printed, qualified
     Span span;
     bool channel = false;
-    int type = -1;  ///< constructors: the datatype's global
+    int type = -1;  ///< constructors: the global of their datatype
     const Code* fields_code = nullptr;
     Unit* unit = nullptr;
     bool evaluated = false;
     bool running = false;
-    Values fields;  ///< one set a field
+    Values fields;  ///< one set for each field
 };
 
 enum class GlobalKind : std::uint8_t { function, component, datatype, subtype, nametype };
 struct Global {
     GlobalKind kind = GlobalKind::function;
-    Function function;  ///< subtype, nametype: without use; nametype: a constant
+    Function function;  ///< subtype, nametype: unused; nametype: a constant
     int component_of = -1;
     int component_slot = -1;
     std::vector<int> heads;                            ///< datatype
     std::vector<std::pair<int, const Code*>> subtype;  ///< head, fields
     Value known = nullptr;
-    Value lazily = nullptr;          ///< the value where a part of it has none...
-    std::uint64_t lazily_entry = 0;  ///< ...in the answer to this question
+    Value lazily = nullptr;          ///< the value if a part of it has no value...
+    std::uint64_t lazily_entry = 0;  ///< ...valid while this query is answered
     bool running = false;
 };
 
-/// A script made ready.
+/// The code of a script.
 struct Program {
     std::deque<Unit> units;
     std::deque<Code> codes;

@@ -1,4 +1,4 @@
-// Sets of values, and dotted values: channels and constructors with their fields, what may follow them, and events.
+// Sets of values, and dotted values: channels and constructors with their fields, their extensions, and events.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@
 
 namespace robochart::cspm {
 
-/// Computes with values that are evaluated already; only types in declarations are evaluated when they are first
-/// needed. Owns what has been computed: elements of sets, extensions, productions, events.
+/// Computes with evaluated values; only types in declarations are evaluated here, on first use. Caches elements of
+/// sets, extensions, productions and events.
 class Domains {
 public:
     /// Evaluates a type expression of a declaration.
@@ -37,10 +37,10 @@ public:
     Value set_inter(Value a, Value b, Span span);
     Value set_diff(Value a, Value b, Span span);
     bool subset(Value a, Value b, Span span);
-    /// Equality of sets that are written differently.
+    /// Equality of sets with different representations.
     bool same(Value a, Value b, Span span);
     Value explicit_set(Value set, Span span);
-    /// How many elements; largest_size if more; none if there is no end of them.
+    /// The number of elements; largest_size if there are more; no value if the set is infinite.
     std::optional<std::uint64_t> size_of(Value set, Span span);
     bool has_size(Value set, std::size_t size);
     bool can_be_listed(Value set, Span span);
@@ -52,7 +52,7 @@ public:
     Value type_set(Value type, Span span);
     /// base.more: the fields of `more` are appended where `base` lacks fields.
     Value combine(Value base, Value more, Span span);
-    /// The fields that `whole` has beyond `part`, innermost first; false if it does not begin with `part`.
+    /// The fields of `whole` after `part`, innermost first; false if `whole` does not begin with `part`.
     bool missing(Value whole, Value part, Values& out);
     Value extensions(Value value);
     Value one_field_extensions(Value value);
@@ -84,7 +84,7 @@ private:
     ValueText text_;
     Evaluate evaluate_;
     std::unordered_map<Value, process::Event> event_index_;
-    std::unordered_map<process::Event, Value> event_values_;  ///< by its name an event stands for one value
+    std::unordered_map<process::Event, Value> event_values_;  ///< the value of an event, found by its name
     std::unordered_map<Value, process::EventSet> event_sets_;
     std::unordered_map<Value, Value> explicit_;
     std::unordered_map<Value, Value> extensions_;

@@ -1,6 +1,6 @@
-// Dotted values: channels and constructors with their fields, what may follow them, and events. A dot whose
-// first item is a head holds the head's fields, each a complete value but perhaps the last; any other dot is
-// a plain list of values (FDR manual: dots, extensions, productions).
+// Dotted values: channels and constructors with their fields, their extensions, and events. A dot whose first item is a
+// head contains the head's fields, each a complete value, except possibly the last; any other dot is a plain list of
+// values (FDR manual: dots, extensions, productions).
 #include <algorithm>
 
 #include "checker/cspm/eval/domains.hpp"
@@ -23,7 +23,7 @@ Value Domains::head_value(int head) {
     return store_.dot({store_.make(Kind::head, head, {})});
 }
 
-// The sets of a head's fields, evaluated when first needed.
+// The sets of a head's fields, evaluated on first use.
 const Values& Domains::fields_of(int index) {
     Head& head = program_.heads[static_cast<std::size_t>(index)];
     if (head.evaluated) return head.fields;
@@ -36,7 +36,7 @@ const Values& Domains::fields_of(int index) {
     return head.fields;
 }
 
-// A type expression as one set a field: A.B gives two, (A,B) one of pairs.
+// A type expression as one set for each field: A.B gives two, (A,B) one set of pairs.
 Values Domains::type_fields(Value type, Span span) {
     if (type->kind == Kind::dot && !is_named(type)) {
         Values result;
@@ -61,7 +61,7 @@ Value Domains::type_set(Value type, Span span) {
     return fields.size() == 1 ? fields[0] : product_of(fields, Kind::dot, span);
 }
 
-// A set of plain dots is taken apart into one set a field; it must be all combinations of them.
+// A set of plain dots is split into one set for each field; it must contain all combinations of them.
 Values Domains::rectangle(Value set, Span span) {
     const auto plain = [](Value value) {
         return value->kind == Kind::dot && !is_named(value) && value->items.size() > 1;
@@ -134,9 +134,9 @@ Value Domains::add_field(Value base, Value field, Span span) {
     return items.size() == 1 ? items[0] : store_.dot(std::move(items));
 }
 
-// ---------------------------------------------------------------- what may follow
+// ---------------------------------------------------------------- extensions
 
-// The fields that `whole` has beyond `part`, innermost first; false if it does not begin with `part`.
+// The fields of `whole` after `part`, innermost first; false if `whole` does not begin with `part`.
 bool Domains::missing(Value whole, Value part, Values& out) {
     if (whole == part) return true;
     if (!is_named(whole) || !is_named(part) || whole->items[0] != part->items[0]) return false;
@@ -155,7 +155,7 @@ bool Domains::missing(Value whole, Value part, Values& out) {
     return true;
 }
 
-// One set for each field that a named dot still lacks; the first completes its last field if need be.
+// One set for each field that a named dot still lacks; the first completes its last field if necessary.
 Values Domains::missing_fields(Value value) {
     const Values& fields = fields_of(head_of(value));
     const std::size_t count = value->items.size() - 1;
@@ -188,7 +188,7 @@ Value Domains::extensions(Value value) {
     return result;
 }
 
-// What ?x in the middle of a prefix ranges over: one field, of the innermost unfinished value.
+// The values of ?x in the middle of a prefix: one field of the innermost incomplete value.
 Value Domains::one_field_extensions(Value value) {
     const Value nothing = store_.set({store_.dot({})});
     if (!is_named(value) || complete(value)) return nothing;
@@ -232,7 +232,7 @@ Value Domains::productions(Value value) {
     return result;
 }
 
-// All tuples, or dots, with one element of each set.
+// All tuples, or dots, with one element from each set.
 Value Domains::product_of(const Values& sets, Kind kind, Span span) {
     std::vector<Values> partial{{}};
     for (const Value set : sets) {

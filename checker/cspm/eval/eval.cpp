@@ -1,4 +1,4 @@
-// Expressions to values, by need: arguments and let-bound constants wait until they are asked for.
+// Evaluates expressions to values by need: arguments and let-bound constants wait until they are needed.
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -116,7 +116,7 @@ Value Evaluator::force(Value& value) {
     return value;
 }
 
-// An argument that may never be needed. What costs nothing and cannot fail is evaluated at once.
+// An argument that may never be needed. It is evaluated at once if that is cheap and cannot fail.
 Value Evaluator::delay(const Code& code, Frame& frame) {
     if (code.constant != nullptr) return code.constant;
     if (code.kind == ExprKind::name && code.reference == Reference::local)
@@ -125,8 +125,8 @@ Value Evaluator::delay(const Code& code, Frame& frame) {
     return store_.thunk(code, frame);
 }
 
-// A part that may never be needed, evaluated at once if that succeeds soon. Where the bound is used up what is under
-// way is finished with parts that wait; where that is still too long, the whole waits.
+// A part that may never be needed, evaluated at once if that takes little work. If the limit is reached, the current
+// evaluations are completed with unevaluated parts; if that takes too long too, the whole part stays unevaluated.
 Value Evaluator::promise(const Code& code, Frame& frame) {
     constexpr std::uint8_t often = 3;
     if (code.constant != nullptr) return code.constant;
@@ -137,7 +137,7 @@ Value Evaluator::promise(const Code& code, Frame& frame) {
     const Work::Speculation speculation(work_);
     try {
         return eval(code, frame);
-    } catch (const EvaluationError&) {  // found again where the value is needed
+    } catch (const EvaluationError&) {  // found again when the value is needed
     } catch (const GivenUp&) {
         if (!speculation.outermost()) throw;
         ++code.too_long;
@@ -202,7 +202,7 @@ Value Evaluator::eval_apply(const Code& code, Frame& frame) {
     const auto which = builtin ? static_cast<Builtin>(function->number) : Builtin::true_;
     const bool by_need = builtin && takes_by_need(which);
     for (std::size_t i = 1; i < code.args.size(); ++i) {
-        const bool second_set = (which == Builtin::inter || which == Builtin::diff) && i == 2;  // ByNeed::call
+        const bool second_set = (which == Builtin::inter || which == Builtin::diff) && i == 2;  // see ByNeed::call
         if (by_need)
             arguments.push_back(promise(*code.args[i], frame));
         else if (builtin && !second_set)
@@ -241,7 +241,7 @@ Value Evaluator::eval_operator(const Code& code, Frame& frame) {
     }
 }
 
-// The right side may wait, whether it has an end or not.
+// The right side may stay unevaluated, whether it is finite or not.
 Value Evaluator::eval_concat(const Code& code, Frame& frame) {
     const Value left = eval(*code.args[0], frame);
     if (left->kind != Kind::sequence && !is_stream(left))
@@ -344,7 +344,7 @@ Value Evaluator::eval_range(const Code& code, Frame& frame) {
     return set ? store_.sorted_set(std::move(items)) : store_.sequence(std::move(items));
 }
 
-// Runs `use` for every way the clauses can be satisfied, in order.
+// Calls `use` for every way to satisfy the clauses, in order.
 void Evaluator::for_each(const Code& code, const std::vector<ClauseCode>& clauses, std::size_t from, Frame& frame,
                          const Use& use) {
     if (from == clauses.size()) return use(frame);
@@ -397,7 +397,8 @@ Value Evaluator::eval_collection(const Code& code, Frame& frame) {
     return set ? store_.set(std::move(items)) : store_.sequence(std::move(items));
 }
 
-// All elements at once, as far as that succeeds; what comes after waits, and so does everything where it has no end.
+// Evaluates elements at once as long as that succeeds; the rest stays unevaluated, and so does everything if it is
+// infinite.
 Value Evaluator::eval_sequence_comprehension(const Code& code, Frame& frame) {
     std::size_t first = 0;
     for (; first < code.clauses.size() && !code.clauses[first].generator; ++first)
@@ -430,7 +431,7 @@ Value Evaluator::eval_sequence_comprehension(const Code& code, Frame& frame) {
     return store_.compound(Kind::sequence, 0, std::move(items));
 }
 
-// The elements that the clauses from one on make.
+// The elements that the clauses from the given one on generate.
 Value Evaluator::comprehension_from(const Code& code, std::size_t clause, Frame& frame) {
     if (clause == code.clauses.size()) return store_.compound(Kind::sequence, 0, promise_all(code, frame));
     const ClauseCode& next = code.clauses[clause];

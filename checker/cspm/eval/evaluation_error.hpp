@@ -1,4 +1,4 @@
-// The one exception of the evaluator: a fault of the script, found while it runs.
+// The single exception type of the evaluator: an error in the script, found during evaluation.
 #pragma once
 
 #include <stdexcept>
@@ -9,8 +9,8 @@
 
 namespace robochart::cspm {
 
-/// A fault found while evaluating: `error(…)`, no matching clause, division by zero, infinite set, runaway recursion…
-/// Carries the place and the CSPM call stack, innermost first.
+/// An error found during evaluation: `error(…)`, no matching clause, division by zero, infinite set, endless recursion…
+/// Contains the place and the CSPM call stack, innermost first.
 class EvaluationError : public std::runtime_error {
 public:
     EvaluationError(std::string message, diagnostics::Span place, std::vector<std::string> calls)

@@ -1,13 +1,13 @@
-// Evaluates code to values. Values are what FDR's lazy evaluator makes of them: parts of tuples, sequences and maps
-// that nobody asks for need not have a value. They are evaluated at once all the same, within a bound of work, and wait
-// only where that fails (optimistic evaluation: Ennals and Peyton Jones, ICFP 2003).
+// Evaluates code to values. The results are those of FDR's lazy evaluator: parts of tuples, sequences and maps that are
+// never needed may have no value. They are nevertheless evaluated at once, within a limit on work, and stay unevaluated
+// only if that fails (optimistic evaluation: Ennals and Peyton Jones, ICFP 2003).
 //
-// Who owns what, each knowing those before it only: ValueStore the values, Work the call stack and the steps,
-// ProcessShape what is plainly a process, Domains the elements of sets, the fields of dotted values and the events,
-// ProcessTerms the terms of calls and prefixes; BuiltinFunctions computes with evaluated arguments. Evaluator has what
-// needs evaluation: expressions, calls, patterns. ByNeed takes sequences and maps apart as far as is asked;
-// ProcessEvaluator evaluates processes. Both and Evaluator call each other, since parts of a sequence wait, a value may
-// be a process, and a process contains values.
+// Who owns what; each class knows only those before it. ValueStore owns the values, Work the call stack and the step
+// counter, ProcessShape decides what is obviously a process, Domains owns the elements of sets, the fields of dotted
+// values and the events, ProcessTerms the terms of calls and prefixes; BuiltinFunctions computes with evaluated
+// arguments. Evaluator implements everything that needs evaluation: expressions, calls, patterns. ByNeed takes
+// sequences and maps apart on demand; ProcessEvaluator evaluates processes. These two and Evaluator call each other,
+// since parts of a sequence may be unevaluated, a value may be a process, and a process contains values.
 #pragma once
 
 #include <functional>
@@ -34,7 +34,7 @@ namespace robochart::cspm {
 
 class ProcessEvaluator;
 
-/// Evaluates expressions, lazily where that may matter; the entry points for a script.
+/// Evaluates expressions, lazily where that may matter; contains the entry points for a script.
 class Evaluator {
 public:
     Evaluator(Program& program, ValueStore& store, process::EventTable& events, process::TermStore& terms);
@@ -42,43 +42,43 @@ public:
     Evaluator(const Evaluator&) = delete;
     Evaluator& operator=(const Evaluator&) = delete;
 
-    // Entry points; each may be called from outside only.
-    /// Called now and then while values are worked out; may throw to stop that. Empty: none.
+    // Entry points; they must only be called from outside.
+    /// `poll` is called regularly during evaluation; it may throw to stop it. Empty: none.
     void watch(std::function<void()> poll) {
         store_.watch(poll);
         work_.watch(std::move(poll));
     }
-    /// The observer of calls of some functions; set before anything is evaluated.
+    /// Sets the observer of calls of some functions; must be called before anything is evaluated.
     void observe(CallObserver observer) { observer_ = std::move(observer); }
-    /// The definition that a call is of (process::Op::call); unknown of built-in functions.
+    /// The definition for a call (process::Op::call); unknown for built-in functions.
     [[nodiscard]] Span place_of_call(std::uint32_t call) const { return processes_.place_of_call(call); }
     [[nodiscard]] std::string print(const Code& code, const Unit& unit);
     [[nodiscard]] process::TermId process(const Code& code, const Unit& unit);
     [[nodiscard]] process::EventSet event_set(const Code& code, const Unit& unit);
     [[nodiscard]] std::vector<process::Event> trace(const Code& code, const Unit& unit);
-    /// `term` with the events ranked as `:[tau priority]` has it.
+    /// `term` with events prioritised as by `:[tau priority]`.
     [[nodiscard]] process::TermId tau_priority(process::TermId term, process::EventSet over);
 
-    // What evaluates processes asks for (process_evaluator.hpp); values of variables by slot.
+    // The functions that ProcessEvaluator needs (process_evaluator.hpp); values of variables by slot.
     using Frame = Values;
     using Use = std::function<void(Frame&)>;
     Value eval(const Code& code, Frame& frame);
     Value eval_name(const Code& code, Frame& frame);
     Value eval_apply(const Code& code, Frame& frame);
-    /// The value once it is evaluated, which replaces one that waits.
+    /// Evaluates the value and replaces the unevaluated one.
     Value force(Value& value);
     Value forced(Value value) { return force(value); }
-    /// The sequence that the clauses of a comprehension from one on make.
+    /// The sequence that the clauses of a comprehension generate, from the given one on.
     Value comprehension_from(const Code& code, std::size_t clause, Frame& frame);
-    /// The value with nothing in it that waits.
+    /// The value with all its parts evaluated.
     Value share(Value value);
     bool truth(const Code& code, Frame& frame);
-    /// Calls `use` for all that the clauses generate, from one of them on.
+    /// Calls `use` for everything that the clauses generate, from the given one on.
     void for_each(const Code& code, const std::vector<ClauseCode>& clauses, std::size_t from, Frame& frame,
                   const Use& use);
     const GroupObject* open_let(const Code& code, Frame& frame);
     Value call(Value function, Values arguments, Span span);
-    /// The clause whose patterns match the arguments, in `frame` its variables.
+    /// The clause whose patterns match the arguments; sets its variables in `frame`.
     const FunctionClause& choose(const Function& function, const Values& environment, Values& arguments, Frame& frame,
                                  Span span);
     bool match(const MatchCode& pattern, Value& value, Frame& frame);

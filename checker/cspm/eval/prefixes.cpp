@@ -1,4 +1,4 @@
-// Prefixes: one term for each place in the script and values it uses; its events are found when asked for.
+// Prefixes: one term for each place in the script and values used there; its events are computed on demand.
 #include <algorithm>
 
 #include "checker/cspm/eval/process_evaluator.hpp"
@@ -32,7 +32,7 @@ TermId ProcessEvaluator::prefix(const Code& code, Frame& frame) {
     return processes_.many(Op::internal_choice, std::move(choices));
 }
 
-// The $ fields come first; each way to choose them is a prefix of its own.
+// The $ fields come first; each way to choose them is a separate prefix.
 void ProcessEvaluator::choose_fields(const Code& code, std::size_t field, Value base, Frame& frame,
                                      std::vector<TermId>& out) {
     if (field < code.fields.size() && code.fields[field].kind == FieldKind::nondeterministic) {
@@ -44,7 +44,7 @@ void ProcessEvaluator::choose_fields(const Code& code, std::size_t field, Value 
     out.push_back(processes_.prefix(PrefixKind::chosen, std::move(key)));
 }
 
-// ?p:S and $p:S range over S; without S over what the type allows, one field a part of the pattern.
+// ?p:S and $p:S range over S; without S over the values that the type allows, one field for each part of the pattern.
 void ProcessEvaluator::input(const Code& code, std::size_t field, Value base, Frame& frame, const Reach& reach) {
     const FieldCode& input = code.fields[field];
     if (input.value == nullptr) return input_parts(code, field, 0, base, frame, reach);
@@ -115,8 +115,8 @@ std::vector<Branch> ProcessEvaluator::chosen_branches(Value key) {
     return result;
 }
 
-// BUFFER(n, pairs) with its contents: while it holds less than n it takes any input, while it holds something it gives
-// the oldest one's output (FDR manual, BUFFER).
+// BUFFER(n, pairs) with its contents: if it contains less than n elements it accepts any input; if it is not empty it
+// offers the output of the oldest element (FDR manual, BUFFER).
 std::vector<Branch> ProcessEvaluator::buffer_branches(Value key) {
     const Value bound = key->items[0];
     const Value pairs = key->items[1];

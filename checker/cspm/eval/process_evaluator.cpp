@@ -1,4 +1,4 @@
-// What the search asks for: the body of a call, the branches of a prefix.
+// The functions that the search calls: the body of a call, the branches of a prefix.
 #include "checker/cspm/eval/process_evaluator.hpp"
 
 #include <algorithm>
@@ -78,7 +78,7 @@ std::string ProcessEvaluator::describe_call(std::uint32_t call) const {
     for (std::size_t i = 1; i < key->items.size(); ++i) {
         result += i == 1 ? "(" : ",";
         const bool unread = definition != nullptr && i <= definition->unread.size() && definition->unread[i - 1];
-        result += unread ? "_" : text_(key->items[i]);  // all values are one (process_terms.cpp: call)
+        result += unread ? "_" : text_(key->items[i]);  // all values are equivalent (process_terms.cpp: call)
     }
     return result + ")";
 }

@@ -1,5 +1,5 @@
 // Evaluates expressions that denote processes. They are built lazily: calls and prefixes become terms by name
-// (process_terms.hpp), and are evaluated only when the search asks what they do (process/term.hpp, Definitions).
+// (process_terms.hpp), and are evaluated only when the search needs their transitions (process/term.hpp, Definitions).
 #pragma once
 
 #include <functional>
@@ -10,10 +10,10 @@
 
 namespace robochart::cspm {
 
-/// Owns nothing: values are the evaluator's, terms those of ProcessTerms.
+/// Has no data: values belong to the evaluator, terms to ProcessTerms.
 class ProcessEvaluator final : public process::Definitions {
 public:
-    /// What it shares with the evaluator of values.
+    /// Data shared with the evaluator of values.
     struct Tables {
         Program& program;
         ValueStore& store;

@@ -1,4 +1,4 @@
-// Shapes of expressions, and of the bodies of the functions that they call.
+// The forms of expressions, and of the bodies of the functions that they call.
 #include "checker/cspm/eval/process_shape.hpp"
 
 #include <algorithm>
@@ -9,17 +9,17 @@ namespace robochart::cspm {
 
 bool ProcessShape::makes_process(const Function& function) {
     if (function.process >= 0) return function.process == 1;
-    function.process = 0;  // a recursion without another branch is not plainly a process
+    function.process = 0;  // a recursion without another branch is not obviously a process
     ++open_;
     const bool result = std::ranges::any_of(
         function.clauses, [this](const FunctionClause& clause) { return makes_process(*clause.body); });
-    // A "no" found while an outer question was open may have rested on it.
+    // A negative answer given while an outer query is open may depend on that query.
     const bool open = --open_ > 0;
     function.process = result ? std::int8_t{1} : (open ? std::int8_t{-1} : std::int8_t{0});
     return result;
 }
 
-// A name with so many groups of arguments after it.
+// Whether a name followed by this many groups of arguments denotes a process.
 bool ProcessShape::makes_process(const Code& name, std::size_t groups) {
     if (name.kind != ExprKind::name) return false;
     if (name.reference == Reference::builtin) {

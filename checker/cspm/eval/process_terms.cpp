@@ -17,7 +17,7 @@ TermId ProcessTerms::term(Value value, Span span) {
     return static_cast<TermId>(value->number);
 }
 
-// op over the children; one child alone is itself.
+// The operator over the children; a single child is returned unchanged.
 TermId ProcessTerms::many(Op op, std::vector<TermId> children, std::uint32_t payload) {
     return children.size() == 1 ? children[0] : make(op, std::move(children), payload);
 }
@@ -46,7 +46,7 @@ TermId ProcessTerms::waiting(process::Event tock, std::int64_t ticks, TermId the
     return prefix(PrefixKind::waiting, {store_.integer(tock), store_.integer(ticks), target});
 }
 
-// Arguments that the definition does not read are all alike: calls that differ in them are one process.
+// Arguments that the definition does not read are ignored: calls that differ only in them are one process.
 TermId ProcessTerms::call(Value function, const Values& arguments) {
     Values key{function};
     key.insert(key.end(), arguments.begin(), arguments.end());

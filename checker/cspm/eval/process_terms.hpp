@@ -1,5 +1,5 @@
 // Processes as terms. A call is a term named by its function and arguments, a prefix one named by its place in the
-// script and the values it uses; both are evaluated only when the search asks for them (evaluator.hpp).
+// script and the values that it uses; both are evaluated only when the search needs them (evaluator.hpp).
 #pragma once
 
 #include <cstdint>
@@ -28,13 +28,13 @@ public:
         : store_(store), events_(events), terms_(terms), domains_(domains), work_(work), text_(program) {}
 
     process::TermId make(process::Op op, std::vector<process::TermId> children = {}, std::uint32_t payload = 0);
-    /// The operator over the children; one child alone is itself.
+    /// The operator over the children; a single child is returned unchanged.
     process::TermId many(process::Op op, std::vector<process::TermId> children, std::uint32_t payload = 0);
-    /// The process that the value is.
+    /// The process that the value denotes.
     process::TermId term(Value value, Span span);
     process::TermId call(Value function, const Values& arguments);
     process::TermId prefix(PrefixKind kind, Values key);
-    /// Linked parallel: `ties` of an event of the left with one of the right.
+    /// Linked parallel: `ties` are pairs of an event of the left and one of the right process.
     process::TermId link(process::TermId left, process::TermId right, const std::vector<process::EventPair>& ties,
                          Span span);
 
@@ -47,7 +47,7 @@ public:
 
     /// A tuple: function, arguments...
     [[nodiscard]] Value call_key(std::uint32_t call) const { return calls_[call]; }
-    /// The definition that a call is of; unknown of built-in functions.
+    /// The definition for a call; unknown for built-in functions.
     [[nodiscard]] Span place_of_call(std::uint32_t call) const;
     [[nodiscard]] std::pair<PrefixKind, Value> prefix_key(std::uint32_t prefix) const { return prefixes_[prefix]; }
 

@@ -1,5 +1,5 @@
-// Process expressions to terms. In a timed section choice, interrupt and the parallel operators synchronise
-// on tock, and STOP, SKIP and prefixes let time pass (semantics 3.10).
+// Converts process expressions to terms. In a timed section choice, interrupt and the parallel operators synchronise on
+// tock, and STOP, SKIP and prefixes let time pass (semantics 3.10).
 #include <algorithm>
 
 #include "checker/cspm/eval/process_evaluator.hpp"
@@ -62,7 +62,7 @@ TermId ProcessEvaluator::process(const Code& code, Frame& frame) {
     return processes_.term(values_.eval(code, frame), code.span);
 }
 
-// A constant in a process's place is named, not looked into: recursion stays finite.
+// A constant in the place of a process is named and not evaluated, so that recursion stays finite.
 TermId ProcessEvaluator::process_name(const Code& code, Frame& frame) {
     if (code.reference == Reference::member) {
         const auto& group = static_cast<const GroupObject&>(*frame[static_cast<std::size_t>(code.slot)]);
@@ -90,7 +90,8 @@ TermId ProcessEvaluator::process_apply(const Code& code, Frame& frame) {
         for (std::size_t i = 1; i < code.args.size(); ++i)
             arguments.push_back(values_.share(values_.eval(*code.args[i], frame)));
     } catch (const EvaluationError&) {
-        // A process is named by its arguments, so they have values; another function may not need all of them.
+        // A process is named by its arguments, so they need values; other functions may not need all of their
+        // arguments.
         if (shape_.makes_process(definition)) throw;
         return processes_.term(values_.eval_apply(code, frame), code.span);
     }
@@ -144,7 +145,7 @@ TermId ProcessEvaluator::process_operator(const Code& code, Frame& frame) {
         return processes_.make(Op::hide, std::move(operands), payload(terms_.set(std::move(hidden))));
     }
     operands.push_back(process(*code.args[1], frame));
-    // The sets of synchronising operators of a timed section have tock in them.
+    // The event sets of synchronising operators in a timed section contain tock.
     const auto with_tock = [&](const Code& set) {
         process::EventSet events = terms_[set_id(set, frame)];
         if (timed != nullptr) events.push_back(processes_.tock(*timed));
@@ -210,7 +211,7 @@ TermId ProcessEvaluator::process_replicated(const Code& code, Frame& frame) {
                 result = processes_.make(Op::sequential, {operands[i], result});
             return result;
         }
-        // An empty parallel terminates: SKIP. In a timed section FDR has STOP there (libcspm, Evaluator).
+        // An empty parallel terminates: SKIP. In a timed section FDR uses STOP (libcspm, Evaluator).
         case ExprKind::replicated_interleave:
             if (none) return timed != nullptr ? processes_.stop(timed) : processes_.make(Op::skip);
             return processes_.many(Op::parallel, std::move(operands),
@@ -256,7 +257,7 @@ TermId ProcessEvaluator::process_rename(const Code& code, Frame& frame) {
     return processes_.make(Op::rename, {child}, payload(terms_.renaming(std::move(pairs))));
 }
 
-// P [a <-> b] Q: both ends are renamed to one event of their own, shared, and hidden.
+// P [a <-> b] Q: both ends are renamed to one new event, which is shared and hidden.
 TermId ProcessEvaluator::process_linked(const Code& code, Frame& frame) {
     if (code.timed != nullptr) work_.fail("linked parallel is not allowed in a timed section", code.span);
     const TermId left = process(*code.args[0], frame);

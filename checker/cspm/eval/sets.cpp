@@ -1,6 +1,6 @@
-// Sets: explicit ones are sorted; Int, Proc, {n..}, Seq(S), Set(S) and Map(K,V) stay as they are until their
-// elements are asked for. Unions with sets that cannot be listed keep their parts, in a form that is the same for equal
-// sets of numbers: {0..} and no 1 beside it.
+// Sets: explicit ones are sorted; Int, Proc, {n..}, Seq(S), Set(S) and Map(K,V) keep their form until their elements
+// are needed. Unions with sets that cannot be listed keep their parts, in a form that is unique for sets of numbers:
+// {0..} and no 1 in addition.
 #include <algorithm>
 
 #include "checker/cspm/eval/domains.hpp"
@@ -91,7 +91,8 @@ std::optional<std::uint64_t> Domains::size_of(Value set, Span span) {
             const Running running(global.running);
             std::uint64_t sum = 0;
             for (const int head : global.heads) {
-                if (program_.heads[static_cast<std::size_t>(head)].running) return std::nullopt;  // being declared
+                // it is being declared
+                if (program_.heads[static_cast<std::size_t>(head)].running) return std::nullopt;
                 std::uint64_t product = 1;
                 bool endless = false;
                 for (const Value field : fields_of(head)) {
@@ -155,7 +156,8 @@ Value Domains::united(const Values& sets, Span span) {
     }
     Value rest = store_.set(std::move(listed));
     Values others;
-    for (std::size_t at = rest->items.size(); at-- > 0;) {  // the largest numbers first: they may go on downwards
+    for (std::size_t at = rest->items.size(); at-- > 0;) {  // the largest numbers first, because they may continue
+                                                            // downwards
         const Value item = rest->items[at];
         work_.count(span);
         bool inside = false;
@@ -187,7 +189,7 @@ Value Domains::union_of_all(const Values& sets, Span span) {
     return result == nullptr ? rest : set_union(result, rest, span);
 }
 
-// {from..} without these: what lies between them and beyond.
+// {from..} without these: the numbers between them and after them.
 Value Domains::without_listed(std::int64_t from, const Values& taken, Span span) {
     std::int64_t next = from;
     Values between;
@@ -218,7 +220,7 @@ Value Domains::subsets(Value set, Span span) {
     return store_.set(std::move(result));
 }
 
-// All maps from some of the keys to the values.
+// All maps from subsets of the keys to the values.
 Value Domains::maps(Value keys, Value values, Span span) {
     std::vector<Values> partial{{}};
     for (const Value key : elements(keys, span)) {
@@ -377,8 +379,8 @@ bool Domains::subset(Value a, Value b, Span span) {
     });
 }
 
-// Equality of sets that are written differently. Of two that are made alike and cannot be listed, what they are made of
-// decides; a set of all sequences never equals a finite one.
+// Equality of sets with different representations. For two sets of the same form that cannot be listed, their
+// components are compared; a set of all sequences never equals a finite one.
 bool Domains::same(Value a, Value b, Span span) {
     if (a == b) return true;
     if (!is_set(a) || !is_set(b)) return false;

@@ -1,8 +1,9 @@
-// Sequences that are not written out: <n..>, comprehensions whose elements wait or have no end, and what ^ joins. They
-// are taken apart element by element, as far as is asked (FDR evaluates sequences lazily).
+// Sequences that are not written out: <n..>, comprehensions whose elements are unevaluated or infinitely many, and
+// concatenations. They are taken apart element by element, on demand (FDR evaluates sequences lazily).
 //
-// A stream's items are a sequence that comes first and one to go on with. Without a comprehension the second follows as
-// it is; else its elements are those of a generator, and the variables around come after it. `number` tells which.
+// A stream's items are a sequence that comes first and one from which it continues. Without a comprehension the second
+// follows unchanged; otherwise its elements are those of a generator, followed by the variables around it. `number`
+// distinguishes the cases.
 #include <algorithm>
 
 #include "checker/cspm/eval/by_need.hpp"
@@ -11,7 +12,7 @@
 namespace robochart::cspm {
 namespace {
 
-/// Elements that are passed over before the search for one that fits is given up.
+/// Number of skipped elements after which the search for a suitable one is given up.
 constexpr std::size_t most_skipped = 200'000;
 constexpr std::int64_t joined = -1;
 
@@ -110,7 +111,7 @@ Value ByNeed::written_out(Value sequence, Span span) {
     return store_.compound(Kind::sequence, 0, std::move(items));
 }
 
-/// The sequence it is, if it has an end; else the stream with nothing that waits but its elements.
+/// The sequence itself if it is finite; otherwise the stream in which only elements may be unevaluated.
 Value ByNeed::share_stream(Value value) {
     if (!is_infinite(value)) {
         Values items = value->items;
@@ -123,7 +124,7 @@ Value ByNeed::share_stream(Value value) {
     return store_.make(Kind::stream, value->number, std::move(items));
 }
 
-/// The element is evaluated when it is compared: that of an empty sequence is not.
+/// The element is evaluated when it is compared, so not for an empty sequence.
 bool ByNeed::contains(Value element, Value sequence, Span span) {
     for (std::size_t tried = 0; tried < most_skipped || !is_infinite(sequence); ++tried) {
         const std::optional<Cut> cut = next(sequence, span);
@@ -165,7 +166,7 @@ bool ByNeed::equal(Value a, Value b, Span span) {
     work_.fail("two infinite sequences agree in their first 200000 elements", span);
 }
 
-/// Whether the first is a beginning of the second; looks at both up to the first difference.
+/// Whether the first is a prefix of the second; reads both up to the first difference.
 bool ByNeed::begins(Value a, Value b, Span span) {
     if (a->kind == Kind::sequence && b->kind == Kind::sequence) {
         for (std::size_t i = 0; i < a->items.size(); ++i)
@@ -184,8 +185,8 @@ bool ByNeed::begins(Value a, Value b, Span span) {
     work_.fail("two infinite sequences agree in their first 200000 elements", span);
 }
 
-// The orders of FDR: numbers and characters; beginnings of sequences; subsets; maps and tuples by parts. What is behind
-// the first difference is not evaluated.
+// The orders of FDR: numbers and characters; prefixes of sequences; subsets; maps and tuples by parts. Parts after the
+// first difference are not evaluated.
 bool ByNeed::less_equal(Value a, Value b, Span span) {
     if (is_set(a) && is_set(b)) return domains_.subset(values_.share(a), values_.share(b), span);
     const auto is_sequence = [](Value value) { return value->kind == Kind::sequence || is_stream(value); };

@@ -107,7 +107,7 @@ Value ValueStore::set(Values items) {
 }
 
 Value ValueStore::make(Kind kind, std::int64_t number, Values items, const Function* function, const Group* group) {
-    // A dot without a channel or constructor is a type, A.B: its sets stay as they are.
+    // A dot without a channel or constructor is a type, A.B: its sets keep their form.
     const bool named = kind == Kind::dot && !items.empty() && items[0]->kind == Kind::head;
     if (named || kind == Kind::tuple || kind == Kind::sequence || kind == Kind::map)
         for (Value& item : items) item = part(item);
@@ -141,7 +141,7 @@ Value ValueStore::closure(const Function& function, Values items) {
 }
 
 Value ValueStore::compound(Kind kind, std::int64_t number, Values items) {
-    // A stream that ends is equal to the sequence of its elements, which only Evaluator::share makes of it.
+    // A finite stream is equal to the sequence of its elements; only Evaluator::share converts it to that.
     bool shared = kind != Kind::stream;
     for (Value& item : items) {
         if (item->kind == Kind::thunk && static_cast<const Thunk&>(*item).result != nullptr)

@@ -1,6 +1,6 @@
-// Values of CSPM's evaluator. Data are hash-consed: equal values are one object, so equality is a pointer
-// comparison; order among them is structural and never depends on addresses. Functions are a definition
-// with the values it captured. What is not yet evaluated (a thunk), or captures or contains such, is temporary.
+// Values of CSPM's evaluator. Data are hash-consed: equal values are one object, so equality is a pointer comparison;
+// their order is structural and never depends on addresses. Functions are a definition with its captured values.
+// Unevaluated values (thunks), and values that capture or contain them, are temporary.
 #pragma once
 
 #include <cstdint>
@@ -23,30 +23,30 @@ enum class Kind : std::uint8_t {
     character,
     tuple,
     sequence,
-    set,             ///< explicit: items ascending by `compare`
-    map,             ///< items: k1, v1, k2, v2... ascending by key
-    head,            ///< a channel or constructor, `number` its index; only as the first item of a dot
-    dot,             ///< a.b.c; a channel's or constructor's fields are complete values, dots themselves if need be
+    set,             ///< explicit: items sorted by `compare`
+    map,             ///< items: k1, v1, k2, v2... sorted by key
+    head,            ///< a channel or constructor, `number` is its index; only as the first item of a dot
+    dot,             ///< a.b.c; fields of channels and constructors are complete values, possibly dots themselves
     process,         ///< `number`: the term
-    function,        ///< `function` with its environment and the arguments it has so far
-    builtin,         ///< `number`: which
+    function,        ///< `function` with its environment and the arguments given so far
+    builtin,         ///< `number`: the built-in
     integers,        ///< Int
     integers_from,   ///< {n..}
     processes,       ///< Proc
-    datatype,        ///< all values of a datatype, `number` its global
+    datatype,        ///< all values of a datatype, `number` is its global
     sequences_over,  ///< Seq(items[0])
     subsets_of,      ///< Set(items[0])
     maps_over,       ///< Map(items[0], items[1])
-    united,          ///< sets that cannot all be listed, ascending, and then an explicit set if there is one
+    united,          ///< sets that cannot all be listed, sorted, followed by an explicit set if there is one
     sequence_from,   ///< <n..>
-    stream,          ///< a sequence that is not written out, perhaps infinite (streams.cpp)
+    stream,          ///< a sequence that is not written out, possibly infinite (streams.cpp)
     group,           ///< the environment of a let's declarations
     thunk,
 };
 
 struct Object {
     Kind kind = Kind::integer;
-    bool shared = false;  ///< hash-consed: built of shared objects only, lives as long as the store
+    bool shared = false;  ///< hash-consed: contains only shared objects, lives as long as the store
     std::uint32_t id = 0;
     std::int64_t number = 0;
     const Function* function = nullptr;
@@ -57,13 +57,13 @@ struct Object {
 using Value = const Object*;
 using Values = std::vector<Value>;
 
-/// The values of one let's declarations in one environment; `known` fills as they are asked for.
+/// The values of one let's declarations in one environment; `known` is filled on demand.
 struct GroupObject : Object {
     mutable Values known;
     mutable std::vector<bool> running;
 };
 
-/// An expression that waits, with a copy of the variables it may use.
+/// An unevaluated expression, with a copy of the variables that it may use.
 struct Thunk : Object {
     const Code* code = nullptr;
     mutable Values frame;
@@ -71,27 +71,26 @@ struct Thunk : Object {
     mutable bool running = false;
 };
 
-/// Explicit or not.
+/// Whether it is a set, explicit or not.
 [[nodiscard]] bool is_set(Value value);
-/// A sequence that is not written out.
+/// Whether it is a sequence that is not written out.
 [[nodiscard]] bool is_stream(Value value);
-/// Whether a sequence plainly has no end; thunks are not evaluated for it.
+/// Whether a sequence is obviously infinite; thunks are not evaluated for the answer.
 [[nodiscard]] bool is_infinite(Value sequence);
 /// Total structural order of shared values.
 [[nodiscard]] int compare(Value a, Value b);
 
-/// Makes and owns values.
+/// Creates and owns values.
 class ValueStore {
 public:
     ValueStore();
 
-    /// Called now and then during long work; may throw to stop it. Empty: none.
+    /// `poll` is called regularly during long work; it may throw to stop it. Empty: none.
     void watch(std::function<void()> poll) { poll_ = std::move(poll); }
-    /// Lists a set where it can be listed. Parts of values are so, since there equality is identity: `(Set({1}), 1)`
-    /// and
-    /// `({{}, {1}}, 1)` are one object.
+    /// `listed` lists a set if possible. Parts of values are listed, since equality of values is identity: `(Set({1}),
+    /// 1)` and `({{}, {1}}, 1)` are one object.
     void list_sets_by(std::function<Value(Value)> listed) { listed_ = std::move(listed); }
-    /// The value as a part of another.
+    /// The value in the form that it has as a part of another value.
     [[nodiscard]] Value part(Value value) const;
 
     [[nodiscard]] Value integer(std::int64_t number);
@@ -100,23 +99,23 @@ public:
     [[nodiscard]] Value tuple(Values items) { return make(Kind::tuple, 0, std::move(items)); }
     [[nodiscard]] Value sequence(Values items) { return make(Kind::sequence, 0, std::move(items)); }
     [[nodiscard]] Value text(const std::string& characters);
-    /// Sorts and drops repetitions.
+    /// Sorts the items and removes duplicates.
     [[nodiscard]] Value set(Values items);
-    /// For items known to be ascending, which are elements of other sets.
+    /// For sorted items that are elements of other sets.
     [[nodiscard]] Value sorted_set(Values items) { return make(Kind::set, 0, std::move(items)); }
     [[nodiscard]] Value dot(Values items) { return make(Kind::dot, 0, std::move(items)); }
     [[nodiscard]] Value make(Kind kind, std::int64_t number, Values items, const Function* function = nullptr,
                              const Group* group = nullptr);
 
     // Temporary objects, until `release`.
-    /// A tuple, sequence or map, shared where its items are; or a stream, which is not.
+    /// A tuple, sequence or map, shared if its items are; or a stream, which is never shared.
     [[nodiscard]] Value compound(Kind kind, std::int64_t number, Values items);
     [[nodiscard]] Value closure(const Function& function, Values items);
     [[nodiscard]] const GroupObject* group(const Group& group, Values items, std::size_t members);
     [[nodiscard]] Value thunk(const Code& code, Values frame);
     /// The shared object of a group whose items are shared.
     [[nodiscard]] const GroupObject* shared_group(const Group& group, Values items, std::size_t members);
-    /// Drops all temporary objects; none may be in use.
+    /// Deletes all temporary objects; none may be in use.
     void release();
 
 private:

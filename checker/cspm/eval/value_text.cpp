@@ -1,4 +1,4 @@
-// Values as FDR prints them.
+// Prints values as FDR does.
 #include "checker/cspm/eval/value_text.hpp"
 
 #include <limits>

@@ -1,4 +1,4 @@
-// Values as FDR prints them.
+// Prints values as FDR does.
 #pragma once
 
 #include <string>
@@ -7,21 +7,21 @@
 
 namespace robochart::cspm {
 
-/// Prints the values of a program; owns nothing.
+/// Prints the values of a program; has no data.
 class ValueText {
 public:
     explicit ValueText(const Program& program) : program_(program) {}
 
-    /// For messages: very long text is cut, and what has not been evaluated is left out.
+    /// For messages: very long text is truncated, and unevaluated parts are left out.
     [[nodiscard]] std::string operator()(Value value) const;
     /// For messages, appended.
     void items(const Values& values, const char* open, const char* separator, const char* close,
                std::string& out) const;
-    /// All of it: the names of events and what `show` gives are data.
+    /// The whole text, because the names of events and the results of `show` are data.
     [[nodiscard]] std::string whole(Value value) const;
 
 private:
-    /// A list that begins beyond `longest` characters is cut.
+    /// A list that begins after `longest` characters is truncated.
     void print(Value value, std::size_t longest, std::string& out) const;
     void list(const Values& values, const char* open, const char* separator, const char* close, std::size_t longest,
               std::string& out) const;

@@ -1,4 +1,4 @@
-// Counting steps, and errors with the call stack.
+// Counts steps, and adds the call stack to errors.
 #include "checker/cspm/eval/work.hpp"
 
 #include "checker/cspm/types/deep_stack.hpp"
@@ -8,7 +8,7 @@ namespace robochart::cspm {
 void Work::fail(const std::string& message, Span span) const {
     constexpr std::size_t shown = 30;
     std::vector<std::string> stack;
-    if (given_up_at_ != no_end) throw EvaluationError(message, span, {});  // may never be seen
+    if (given_up_at_ != no_end) throw EvaluationError(message, span, {});  // it may never be reported
     for (auto call = activations_.rbegin(); call != activations_.rend() && stack.size() < shown; ++call) {
         std::string line = call->function->name;
         if (call->arguments != nullptr && !call->arguments->empty()) {

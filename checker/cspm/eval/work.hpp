@@ -1,4 +1,4 @@
-// The work of an evaluation: its call stack, the steps taken, the bounds of speculation.
+// The work of an evaluation: its call stack, the number of steps, the limits of speculation.
 #pragma once
 
 #include <cstdint>
@@ -12,34 +12,34 @@
 
 namespace robochart::cspm {
 
-/// Elements of one set made explicit, at most.
+/// Maximal number of elements of a set that is listed.
 inline constexpr std::size_t max_elements = 5'000'000;
 
-/// The work that speculation is worth is used up.
+/// Thrown if the work limit of speculation is reached.
 struct GivenUp {};
 
 /// Owns the call stack and the counters.
 class Work {
 public:
-    /// Steps between two questions of the search, at most.
+    /// Maximal number of steps for one query of the search.
     static constexpr std::uint64_t max_steps = 2'000'000'000;
 
     Work(const Program& program, ValueStore& store) : text_(program), store_(store) {}
 
-    /// Called now and then; may throw to stop the evaluation. Empty: none.
+    /// `poll` is called regularly; it may throw to stop the evaluation. Empty: none.
     void watch(std::function<void()> poll) { poll_ = std::move(poll); }
-    /// One step more.
+    /// Counts one more step.
     void count(Span span);
-    /// Where errors without a place of their own are reported: the prefix whose events are computed.
+    /// The place for errors without a place: the prefix whose events are being computed.
     void at_prefix(Span span) { prefix_place_ = span; }
     [[noreturn]] void fail(const std::string& message, Span span) const;
     [[noreturn]] void not_supported(const std::string& what, Span span) const;
 
-    /// Whether no more steps are left.
+    /// Whether no steps are left.
     [[nodiscard]] bool used_up() const { return steps_ > max_steps; }
     /// Whether values may be evaluated before they are needed.
     [[nodiscard]] bool may_speculate() const { return steps_ < promised_until_; }
-    /// The number of the present question from outside.
+    /// The number of the current query from outside.
     [[nodiscard]] std::uint64_t question() const { return question_; }
 
     class Question;
@@ -50,7 +50,7 @@ private:
     struct Activation {
         const Function* function = nullptr;
         const Values* arguments = nullptr;
-        Span called;  ///< where, if known: in generated scripts a place of the model
+        Span called;  ///< place, if known: in generated scripts a place of the model
     };
     static constexpr std::uint64_t no_end = ~std::uint64_t{0};
 
@@ -59,15 +59,15 @@ private:
     std::vector<Activation> activations_;
     const char* stack_base_ = nullptr;
     std::uint64_t steps_ = 0;
-    std::uint64_t promised_until_ = no_end;  // steps at which no more values are asked for early...
-    std::uint64_t given_up_at_ = no_end;     // ...and at which those under way are given up
+    std::uint64_t promised_until_ = no_end;  // number of steps after which no more values are evaluated early...
+    std::uint64_t given_up_at_ = no_end;     // ...and after which those in progress are given up
     std::uint64_t question_ = 0;
     std::function<void()> poll_;
     Span prefix_place_;
-    unsigned open_ = 0;  // questions
+    unsigned open_ = 0;  // number of open queries
 };
 
-/// A question from outside. Temporary values are dropped when the outermost one is answered.
+/// A query from outside. Temporary values are deleted when the outermost one has been answered.
 class Work::Question {
 public:
     explicit Question(Work& work) : work_(work), base_(work.stack_base_), calls_(work.activations_.size()) {
@@ -91,7 +91,7 @@ private:
     std::size_t calls_;
 };
 
-/// One entry of the CSPM call stack, while it lasts.
+/// One entry of the CSPM call stack, during its lifetime.
 class Work::Calling {
 public:
     Calling(Work& work, const Function& function, const Values& arguments, Span span) : work_(work) {
@@ -106,7 +106,7 @@ private:
     Work& work_;
 };
 
-/// The work that a value is worth before it is known to be needed. Those inside share the outermost one's bound.
+/// The work limit for a value that is not known to be needed. Nested ones share the outermost one's limit.
 class Work::Speculation {
 public:
     explicit Speculation(Work& work) : work_(work), outermost_(work.given_up_at_ == no_end) {
@@ -127,8 +127,8 @@ private:
     bool outermost_;
 };
 
-/// Set while something is being evaluated, and no longer when an error ends that: what is asked for again fails
-/// again for its own reason, not as if it were defined by itself.
+/// Set while something is being evaluated, and reset if an error ends the evaluation. If it is evaluated again, it
+/// fails for the original reason, not because it seems to be defined by itself.
 class Running {
 public:
     explicit Running(bool& flag) : flag_(flag) { flag_ = true; }
