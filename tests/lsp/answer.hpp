@@ -1,4 +1,4 @@
-// What a server sent, to be asked as the server asks what it receives (lsp/protocol/json.hpp).
+// A message from the server, with the accessors that the server uses for received messages (lsp/protocol/json.hpp).
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace robochart::lsp::testing {
 
-/// A value of its own: tests take answers apart in one expression.
+/// Owns its value, so that tests can take answers apart in one expression.
 class Answer {
 public:
     Answer(Json json = nullptr) : json_(std::move(json)) {}

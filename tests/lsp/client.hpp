@@ -1,4 +1,4 @@
-// An editor played by a script, in the process of the server.
+// A simulated editor in the same process as the server.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 namespace robochart::lsp::testing {
 
-/// What an editor such as VS Code says that it can do.
+/// The capabilities of an editor such as VS Code.
 inline Json usual_capabilities() {
     const Json yes = true;
     return Json::object(
@@ -39,7 +39,7 @@ public:
         notify("initialized", Json::object({}));
     }
 
-    /// The whole response.
+    /// Sends a request and returns the whole response.
     Answer ask(const std::string& method, Json params) {
         const std::int64_t id = ++last_id_;
         server_.receive(json_text(
@@ -50,7 +50,7 @@ public:
         ADD_FAILURE() << method << " was not answered";
         return {};
     }
-    /// Its result; an error response is a failure of the test.
+    /// Sends a request and returns the result; an error response fails the test.
     Answer request(const std::string& method, Json params) {
         const Answer response = ask(method, std::move(params));
         EXPECT_FALSE(response.has("error")) << response.write();
@@ -92,7 +92,7 @@ public:
         notify("textDocument/didClose", Json::object({{"textDocument", Json::object({{"uri", uri}})}}));
     }
 
-    /// `{textDocument, position}` of the place right after `/*^mark*/`.
+    /// `{textDocument, position}` of the place directly after `/*^mark*/`.
     [[nodiscard]] Json at(const std::string& mark, const std::string& uri = "file:///p/a.rct") const {
         return Json::object(
             {{"textDocument", Json::object({{"uri", uri}})}, {"position", position_of(offset(mark, uri), uri)}});
@@ -103,7 +103,7 @@ public:
         EXPECT_NE(found, std::string::npos) << "no mark " << mark;
         return found == std::string::npos ? 0 : found + written.size();
     }
-    /// Of texts that are ASCII.
+    /// The position of an offset in an ASCII text.
     [[nodiscard]] Json position_of(std::size_t offset, const std::string& uri) const {
         const std::string& text = texts_.at(uri);
         std::int64_t line = 0;
@@ -115,7 +115,7 @@ public:
             }
         return Json::object({{"line", line}, {"character", offset - begin}});
     }
-    /// "mark" of each location's place, in order, joined by blanks; "?" where none is marked.
+    /// The names of the marks at each location, in order and joined by blanks; "?" for a location without a mark.
     [[nodiscard]] std::string marks(const Answer& locations) const {
         std::string out;
         const Answer list = locations.is_array() ? locations : Json::array({locations.json()});
@@ -151,7 +151,7 @@ public:
         return text;
     }
 
-    /// The diagnostics last published for a document; null if there never were any.
+    /// The diagnostics last published for a document; null if none were published.
     [[nodiscard]] Answer diagnostics(const std::string& uri = "file:///p/a.rct") const {
         Answer last;
         for (const Answer& message : messages)
@@ -159,12 +159,12 @@ public:
                 last = message["params"]["diagnostics"];
         return last;
     }
-    /// "CODE@line" of each error, lines from 1.
+    /// "CODE@line" of each error; lines start at 1.
     [[nodiscard]] std::string codes(const std::string& uri = "file:///p/a.rct") const {
         constexpr std::int64_t error = 1;
         return codes_up_to(error, uri);
     }
-    /// Those of warnings too.
+    /// Also includes warnings.
     [[nodiscard]] std::string all_codes(const std::string& uri = "file:///p/a.rct") const {
         constexpr std::int64_t information = 3;
         return codes_up_to(information, uri);
@@ -183,7 +183,7 @@ public:
     [[nodiscard]] Server& server() { return server_; }
     [[nodiscard]] const Answer& initialized() const { return initialized_; }
 
-    std::vector<Answer> messages;  ///< everything the server sent
+    std::vector<Answer> messages;  ///< all messages from the server
 
 private:
     void sent(const std::string& text) {

@@ -1,4 +1,4 @@
-// random_models_tool: writes a random project into a folder, for benchmarks, demonstrations and by hand.
+// random_models_tool: writes a random project into a folder, for benchmarks, demonstrations and use by hand.
 #include <charconv>
 #include <cstdint>
 #include <cstdio>

@@ -1,4 +1,4 @@
-// Scripts in CSPM in an editor: findings while typing, over included files; types and declarations of names.
+// CSPM scripts in an editor: findings while typing, also in included files; types and declarations of names.
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -16,7 +16,7 @@ using testing::Client;
 
 constexpr const char* script_uri = "file:///p/a.csp";
 
-/// A folder of files, gone with the test.
+/// A folder of files; the destructor removes it.
 class Folder {
 public:
     Folder() : path_(::testing::TempDir() + "robochart_scripts_" + std::to_string(::getpid())) {
@@ -147,7 +147,7 @@ TEST(Scripts, FilesOnDiskMayChange) {
     EXPECT_EQ(client.codes(folder.uri("a.csp")), "CSPM-P15@1") << "the file has another name now";
 }
 
-/// A file is the same whichever links lead to it, also while these change.
+/// A file has one identity for all symbolic links to it, also while they change.
 TEST(Scripts, MayBeReachedByLinks) {
     const Folder folder;
     folder.write("parts/b.csp", "Q = STOP\n");
@@ -164,7 +164,7 @@ TEST(Scripts, MayBeReachedByLinks) {
     EXPECT_EQ(client.codes(folder.uri("link/b.csp")) + client.codes(folder.uri("a.csp")), "");
 }
 
-/// The whole is one of them, so that each has its names.
+/// The including file is one of the included ones, so each of them sees all names.
 TEST(Scripts, FilesMayIncludeThemselves) {
     const Folder folder;
     Client client;
@@ -178,7 +178,7 @@ TEST(Scripts, FilesMayIncludeThemselves) {
     EXPECT_EQ(client.codes(folder.uri("a.csp")) + client.codes(folder.uri("b.csp")), "");
 }
 
-/// Each file includes the next one twice: without bounds the last is read 2^40 times.
+/// Each file includes the next one twice: without a limit the last file would be read 2^40 times.
 TEST(Scripts, IncludesAreBounded) {
     const Folder folder;
     constexpr int files = 40;
@@ -384,7 +384,7 @@ TEST(Scripts, HostileTextsAreHarmless) {
         EXPECT_NE(message["method"].text(), "window/logMessage") << message.write();
 }
 
-/// What is on disk may be any bytes: a finding about them is still a message.
+/// Included files may contain any bytes: the message with a finding about them must still be valid.
 TEST(Scripts, IncludedFilesMayBeNoText) {
     const Folder folder;
     folder.write("b.csp", "Q = \xFF\xFE -> \"\xC0\"\n");
@@ -396,7 +396,7 @@ TEST(Scripts, IncludedFilesMayBeNoText) {
     EXPECT_EQ(client.codes(folder.uri("a.csp")), "CSPM-P15@1");
 }
 
-/// The analysis ends when the text has changed, and is done for the new one.
+/// The analysis ends when the text changes, and restarts for the new text.
 TEST(Scripts, AnAnalysisEndsWhenTheTextChanges) {
     Client client;
     std::string large;
@@ -416,7 +416,7 @@ TEST(Scripts, AnAnalysisEndsWhenTheTextChanges) {
           Json::object({{"textDocument", document},
                         {"contentChanges", Json::array({Json::object({{"text", large + "Q = Gone\n\n"}})})}})}})));
     client.server().step();
-    client.server().interruption().arrived(change);  // seen, not yet handled
+    client.server().interruption().arrived(change);  // received, not yet handled
     const std::size_t before = client.messages.size();
     client.server().idle();
     EXPECT_EQ(client.messages.size(), before) << "an old text is not diagnosed";

@@ -1,4 +1,4 @@
-// Who calls an operation and what it calls.
+// The callers of an operation, and the operations that it calls.
 #include <gtest/gtest.h>
 
 #include "tests/lsp/client.hpp"
@@ -24,7 +24,7 @@ protected:
     Answer prepared(const std::string& mark) {
         return client.request("textDocument/prepareCallHierarchy", client.at(mark));
     }
-    /// "name/number of calls" of each end.
+    /// "name/number of calls" for each end.
     std::string ends(const std::string& direction, const Answer& item) {
         const Answer list = client.request("callHierarchy/" + direction, Json::object({{"item", item.json()}}));
         const std::string key = direction == "incomingCalls" ? "from" : "to";

@@ -44,7 +44,7 @@ TEST(CodeLens, StandsAtEachAssertionAlsoInBrokenText) {
                   {{"title", "check"}, {"command", "robochart.check"}, {"arguments", Json::array({lens_uri, "A2"})}}));
 }
 
-/// The lenses of a model: its title, command, name and place of each.
+/// The title, command, name and place of each lens of a model.
 std::vector<std::string> lenses_of(const std::string& text, Json commands) {
     Client client(testing::usual_capabilities(), {}, Json::object({{"commands", std::move(commands)}}));
     client.open("file:///p/a.rct", text);

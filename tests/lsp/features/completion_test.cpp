@@ -1,4 +1,4 @@
-// Completion: what may stand at a place, in text that is being written.
+// Completion: the possible words at a place, in unfinished text.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -28,12 +28,12 @@ class Completion : public ::testing::Test {
 protected:
     Completion() { client.open("file:///p/lib.rct", library); }
 
-    /// Labels at `$` of a text that imports the library.
+    /// The labels offered at `$` in a text that imports the library.
     std::set<std::string> labels(std::string text, const std::string& uri = "file:///p/a.rct") {
         if (uri.ends_with(".rct")) text = "package own\nimport lib::*\n" + text;
         const std::size_t place = text.find('$');
         text.replace(place, 1, "/*^here*/");
-        // The mark must not hide that the word before it is still being written.
+        // The mark must not separate the cursor from the unfinished word before it.
         const std::size_t mark = text.find("/*^here*/");
         text.erase(mark, 9);
         client.open(uri, text);
@@ -44,7 +44,7 @@ protected:
         for (const Answer& each : items.items()) result.insert(each["label"].text());
         return result;
     }
-    /// Text in a machine with variables, events, clocks and operations.
+    /// The labels offered in a machine with variables, events, clocks and operations.
     std::set<std::string> in_machine(const std::string& members) {
         return labels(
             "stm S {\n  requires Ops requires Vars uses Evs\n  var mine : nat clock C\n  initial i0 final f0\n"
@@ -228,7 +228,7 @@ TEST_F(Completion, SnippetsOnlyForEditorsThatKnowThem) {
     for (const Answer& each : found.items()) EXPECT_FALSE(each.has("insertTextFormat"));
 }
 
-/// Wherever the text is cut, completion answers, and what it offers are names and words.
+/// For every prefix of the text, completion answers and offers names and keywords.
 TEST_F(Completion, AnywhereInAnyPrefix) {
     const std::string text =
         "package q\nimport lib::*\nstm S {\n  requires lib::Vars uses Evs\n  var a : Seq(nat * Colour) = <>\n  clock "

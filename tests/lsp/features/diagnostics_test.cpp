@@ -37,7 +37,7 @@ TEST(Published, WithEverythingThatIsKnown) {
     EXPECT_NE(found[0]["relatedInformation"][0]["message"].text(), "");
 }
 
-/// LSP 3.17, DiagnosticTag.Unnecessary: shown faded.
+/// LSP 3.17, DiagnosticTag.Unnecessary: editors show such text faded.
 TEST(Published, WithATagForWhatCouldBeLeftOut) {
     Client client;
     client.open(uri,
@@ -124,7 +124,7 @@ TEST(QuickFixes, CorrectTheText) {
     EXPECT_EQ(client.codes(), "");
 }
 
-/// `speed1` is as near as `speed2`: a guess is offered, but not to be taken unasked.
+/// `speed1` and `speed2` are equally similar: the fix is offered as a guess and not marked as preferred.
 TEST(QuickFixes, GuessesAreNotPreferred) {
     Client client;
     client.open(uri,

@@ -1,4 +1,5 @@
-// Diagrams beside the text: which component, the same picture as by `draw`, and what stands in while text is broken.
+// Diagrams next to the text: the selected component, the same picture as `draw`, and the last valid picture while the
+// text is broken.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -56,7 +57,7 @@ std::string text_with(std::string text, const std::string& old, const std::strin
     return at == std::string::npos ? text : text.replace(at, old.size(), with);
 }
 
-/// The picture of a component by the parts that `draw` uses.
+/// The picture of a component, drawn with the functions that `draw` uses.
 std::string drawn_apart(const std::string& name, diagrams::Theme theme) {
     Workspace workspace;
     Project& project = *workspace.open(diagram_uri, diagram_text).project;
@@ -73,14 +74,14 @@ std::int64_t notifications_of(const Client& client, std::size_t from = 0) {
     return count;
 }
 
-/// The element of that kind and name; null if there is none.
+/// The element of this kind and name; null if there is none.
 Answer element_of(const Answer& diagram, const std::string& kind, const std::string& name) {
     for (const Answer& each : diagram["elements"].items())
         if (each["kind"].text() == kind && each["name"].text() == name) return each;
     return {};
 }
 
-/// How a line of the SVG with this id begins, without the id's number: where its element is.
+/// The start of the SVG line with this id, without the id's number: it contains the element's position.
 std::string box_of(const Answer& diagram, const Answer& element) {
     const std::string svg = diagram["svg"].text();
     const std::size_t group = svg.find("id=\"" + element["id"].text() + "\"");
@@ -212,7 +213,7 @@ TEST(Diagram, NamesThatMeanNothingAreDrawn) {
     EXPECT_THAT(drawn["svg"].text(), HasSubstr("Gone"));
 }
 
-/// States with transitions in a ring, in the order of `order`: the layout follows the order of the text.
+/// States connected in a ring, declared in the order of `order`: the layout follows the order of the text.
 std::string ring(const std::string& order, const std::string& extra = "") {
     std::string text = "stm R { event e initial i0 ";
     for (const char name : order) text += std::string("state ") + name + " { } ";
@@ -286,7 +287,7 @@ TEST(Diagram, WrongParametersAreRefused) {
 TEST(Diagram, TooLargeOnesAreRefusedAndTheServerGoesOn) {
     Client client;
     std::string text = "stm R { event e initial i0 ";
-    // A chain, and a transition from each state over all behind it to the last one.
+    // A chain, with a transition from each state directly to the last one.
     for (int i = 0; i < 500; ++i) text += fmt::format("state S{} {{ }} ", i);
     for (int i = 0; i < 499; ++i)
         for (const int to : {i + 1, 499})

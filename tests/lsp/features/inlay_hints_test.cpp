@@ -1,4 +1,4 @@
-// Types and values that a text leaves out.
+// Hints for types and values that a text omits.
 #include <gtest/gtest.h>
 
 #include "tests/lsp/client.hpp"

@@ -1,4 +1,4 @@
-// From names to declarations and back, over files and broken text.
+// Navigation between names and declarations, across files and in broken text.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -208,7 +208,7 @@ TEST_F(Navigation, HoverOnWhatTheToolBringsAlong) {
     EXPECT_NE(hover("nat").find("core"), std::string::npos);
 }
 
-/// Libraries are files beside the program; the definition lies where the name stands in them.
+/// Libraries are files next to the program; a definition is at the position of the name in its file.
 TEST_F(Navigation, DefinitionsOfLibrariesAreInTheirFiles) {
     client.change("file:///p/a.rct",
                   "import set_toolkit::*\n"

@@ -1,4 +1,4 @@
-// Outlines, the search for names, folds and colours.
+// Outlines, the search for names, folding and colours.
 #include <gtest/gtest.h>
 
 #include "tests/lsp/client.hpp"

@@ -1,4 +1,4 @@
-// Diagnostics of editors that ask for them: nothing is reported twice.
+// Diagnostics that the editor requests: no finding is reported twice.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Renaming: every place, nothing else, and never a model that means something else.
+// Renaming changes every occurrence and nothing else, and preserves the meaning of the model.
 #include <gtest/gtest.h>
 
 #include "tests/lsp/client.hpp"
@@ -17,7 +17,7 @@ protected:
         params["newName"] = name;
         return client.ask("textDocument/rename", params);
     }
-    /// The text of a document after the renaming.
+    /// The text of a document after renaming.
     std::string renamed(const std::string& mark, const std::string& name,
                         const std::string& shown = "file:///p/a.rct") {
         const Answer response = ask(mark, name);
@@ -98,7 +98,7 @@ TEST_F(Rename, FieldsLiteralsClocksEventsFunctions) {
     EXPECT_NE(events.find("connection K on e to s on bump"), std::string::npos) << "the controller's event is another";
 }
 
-// C4, language reference 2: an operation answers a signature by its name alone.
+// C4, language reference 2: an operation implements a signature with the same name.
 TEST_F(Rename, AnOperationWithItsSignature) {
     const std::string text =
         "interface Ops { /*^sig*/move() }\n"
@@ -111,7 +111,7 @@ TEST_F(Rename, AnOperationWithItsSignature) {
     EXPECT_EQ(renamed("def", "go"), replaced(text, "move", "go"));
 }
 
-// C3, M2: a required variable is provided by one of the same name.
+// C3, M2: a required variable is provided by a variable with the same name.
 TEST_F(Rename, ARequiredVariableWithItsProvider) {
     const std::string text =
         "interface Needs { var /*^need*/x : nat }\n"

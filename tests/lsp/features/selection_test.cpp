@@ -1,4 +1,4 @@
-// Selections that grow from the word outwards.
+// Selections that expand from a word outwards.
 #include <gtest/gtest.h>
 
 #include "tests/lsp/client.hpp"
@@ -11,7 +11,7 @@ using testing::Client;
 
 constexpr const char* selected_uri = "file:///p/a.rct";
 
-/// The selected texts from the inside out.
+/// The selected texts from the innermost to the outermost.
 std::vector<std::string> grown(Client& client, const std::string& text, std::size_t offset) {
     client.open(selected_uri, text);
     const Json params = Json::object({{"textDocument", Json::object({{"uri", selected_uri}})},

@@ -1,5 +1,5 @@
-// The diagram beside the text as a person drew it in RoboTool, where the project has its file; read again where that
-// changes.
+// The diagram next to the text with the layout that was drawn in RoboTool, if the project has its file; it is reloaded
+// when the file changes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -21,7 +21,7 @@ using ::testing::Not;
 
 constexpr const char* machine = "stm S { initial i state A { } transition t { from i to A } }\n";
 
-/// The state of the machine at a place; its initial junction at the left.
+/// A file with the machine's state at this place and its initial junction at the left.
 std::string drawn_at(int x) {
     const auto element = [](const std::string& id, const std::string& name, const std::string& path,
                             const std::string& mapping) {
@@ -64,7 +64,7 @@ private:
     fs::path folder_;
 };
 
-/// The area of nodes is 5 pixels inside of the frame, which is 14 pixels inside of the picture.
+/// The area of nodes is 5 pixels inside the frame, which is 14 pixels inside the picture.
 TEST_F(StoredDiagram, IsWhereAPersonDrewIt) {
     const std::string own = svg();
     EXPECT_THAT(own, Not(HasSubstr("x=\"619\"")));

@@ -1,4 +1,4 @@
-// Scenarios, mappings and swarms in an editor: findings while typing, and the words that may follow.
+// Scenarios, mappings and swarms in an editor: findings while typing, and completion of the words that may follow.
 #include <gtest/gtest.h>
 
 #include "tests/lsp/client.hpp"

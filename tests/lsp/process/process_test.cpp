@@ -52,7 +52,7 @@ public:
             sent += static_cast<std::size_t>(some);
         }
     }
-    /// The next message; null at the end.
+    /// The next message; null at the end of the stream.
     Answer hear() {
         std::string header;
         while (!header.ends_with("\r\n\r\n")) {
@@ -127,7 +127,7 @@ TEST(Program, EndsWithItsInput) {
     EXPECT_EQ(process.wait(), 1);
 }
 
-/// The opening of a text that takes long to look at.
+/// The notification that opens a text with a long analysis.
 std::string large_opening() {
     std::string text;
     for (int i = 0; i < 150'000; ++i)
@@ -141,7 +141,7 @@ std::string large_opening() {
 constexpr const char* hover = R"({"jsonrpc":"2.0","id":2,"method":"textDocument/hover","params":{"textDocument":)"
                               R"({"uri":"file:///nowhere/a.rct"},"position":{"line":0,"character":5}}})";
 
-/// A server in the middle of a long analysis.
+/// A server during a long analysis.
 class Busy : public Process {
 public:
     Busy() {
@@ -153,7 +153,7 @@ public:
     }
 };
 
-// The bounds on time are generous: an analysis that goes on is the fault.
+// The time bounds are generous, because the tests detect an analysis that does not stop.
 TEST(BusyProgram, AnswersACancelledRequest) {
     Busy busy;
     busy.say(R"({"jsonrpc":"2.0","method":"$/cancelRequest","params":{"id":2}})");

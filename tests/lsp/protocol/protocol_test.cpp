@@ -1,4 +1,4 @@
-// The life of a server (LSP 3.17, lifecycle messages; JSON-RPC 2.0).
+// The life cycle of a server (LSP 3.17, lifecycle messages; JSON-RPC 2.0).
 #include <gtest/gtest.h>
 
 #include "tests/lsp/client.hpp"
@@ -123,7 +123,7 @@ TEST(Positions, EncodingIsNegotiated) {
     EXPECT_EQ(chosen({"utf-32"}), "utf-32");
 }
 
-/// The same place, counted in either way.
+/// The same position in both encodings.
 TEST(Positions, AreThoseAgreedUpon) {
     for (const bool utf8 : {false, true}) {
         const Json general =

@@ -1,4 +1,4 @@
-// Frames, JSON and positions: what comes from outside is taken apart without trust.
+// Frames, JSON and positions: messages from outside are parsed without trust in their contents.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -19,7 +19,7 @@ std::string framed(const std::string& text) {
     return "Content-Length: " + std::to_string(text.size()) + "\r\n\r\n" + text;
 }
 
-/// "M:text" and "F:reason" of everything a stream holds.
+/// "M:text" for each message of a stream and "F:reason" for each error.
 std::vector<std::string> frames(const std::string& bytes) {
     std::istringstream in(bytes);
     FrameReader reader(in);
@@ -76,7 +76,7 @@ TEST(JsonText, IsReadAndWritten) {
     EXPECT_EQ(read_json(value.write(), error), value);
 }
 
-/// RFC 8259 leaves both to the reader: numbers that do not fit, and several members with one key.
+/// RFC 8259 leaves two cases to the reader: numbers out of range, and several members with one key.
 TEST(JsonText, OfAnyShapeIsAskedSafely) {
     std::string error;
     const Answer value = read_json(R"({"a":18446744073709551615,"b":1.5,"a":2,"n":{"x":"y"}})", error);
@@ -89,7 +89,7 @@ TEST(JsonText, OfAnyShapeIsAskedSafely) {
     EXPECT_FALSE(value["b"].has("x"));
 }
 
-/// A member is not looked for before it is added: that would take minutes here.
+/// Adding a member does not search for its key first, which would take minutes here.
 TEST(JsonText, WithManyMembersIsReadInLinearTime) {
     std::string text = "{";
     for (int i = 0; i < 300'000; ++i) text += "\"k" + std::to_string(i) + "\":0,";
@@ -197,7 +197,7 @@ TEST(Stream, SurvivesGarbage) {
         std::string bytes;
         for (std::size_t i = 0, n = random() % 400; i < n; ++i) bytes += static_cast<char>(random() % 256);
         EXPECT_EQ(served(bytes).second, 1);
-        // One byte of a sound conversation is wrong.
+        // One byte of a valid conversation is changed.
         std::string damaged = valid;
         damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
         const int code = served(damaged).second;

@@ -36,7 +36,7 @@ std::string hovered(Client& client, std::int64_t line, std::int64_t character) {
     return client.request("textDocument/hover", place(line, character))["contents"]["value"].text();
 }
 
-/// The labels of what is offered at the end of a text.
+/// The labels offered at the end of a text.
 std::string offered(const std::string& text, const std::string& at = uri) {
     Client client;
     client.open(at, text);
@@ -141,7 +141,7 @@ TEST(RuleTexts, WhatIsKnownOfModelsAloneIsNotAnswered) {
             .has("error"));
 }
 
-/// Of open files as they are in the editor, of others as they are on disk.
+/// Open files have the editor's text, other files the text on disk.
 TEST(RuleTexts, RulesAreOfferedBehindConformsTo) {
     const std::string folder = ::testing::TempDir() + "robochart_rules_" + std::to_string(::getpid());
     std::filesystem::create_directories(folder);

@@ -1,4 +1,4 @@
-// What stands after any edits is what a project read anew would give.
+// After any edits, the state of the server equals that of a newly loaded project.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -35,7 +35,7 @@ public:
         return "file:///p/" + std::to_string(i) + suffix;
     }
 
-    /// A change somewhere, sent as ranges.
+    /// Makes a random change, sent as ranges.
     void edit() {
         const std::size_t file = pick(texts_.size());
         Json list = Json::array();
@@ -68,7 +68,7 @@ public:
         }
     }
 
-    /// Every feature at some place: none may fail.
+    /// Requests every feature at a random place: none may fail.
     void probe() {
         const std::size_t file = pick(texts_.size());
         const std::size_t place = pick(texts_[file].size() + 1);
@@ -125,7 +125,7 @@ std::vector<std::string> corpus_texts() {
         "stm S { requires I initial i state A { entry speed = size(union(s, {1})) } transition t { from i to A } }\n"};
 }
 
-/// Thousands of edits; after each handful the server agrees with one that saw only the result.
+/// Thousands of edits: after every few edits the server agrees with a server that saw only the result.
 TEST(Incremental, IsTheSameAsFromScratch) {
     for (std::uint32_t seed = 1; seed <= tests::rounds(4); ++seed) {
         Editing editing(corpus_texts(), seed);
@@ -147,7 +147,7 @@ TEST(Incremental, NothingFailsInTextsHoweverBroken) {
     }
 }
 
-/// Two scripts, of which one includes the other, as long as both can be read.
+/// Two scripts as long as both can be read; one includes the other.
 std::vector<std::string> scripts_of_tests() {
     const std::filesystem::path tests = tests::source_folder().string() + "/tests";
     return {

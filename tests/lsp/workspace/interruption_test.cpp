@@ -1,4 +1,4 @@
-// Work that is ended before it is done: by $/cancelRequest (LSP 3.17), by newer texts, and by an editor that leaves.
+// Interrupted work: by $/cancelRequest (LSP 3.17), by newer texts, and by an editor that exits.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -13,7 +13,7 @@ using std::chrono::milliseconds;
 using testing::Answer;
 using testing::Client;
 
-/// Takes seconds to look at.
+/// A text whose analysis takes seconds.
 std::string large_text() {
     std::string text;
     for (int i = 0; i < 60'000; ++i) {
@@ -42,7 +42,7 @@ Json change_to(const std::string& text) {
                                  {"contentChanges", Json::array({Json::object({{"text", text}})})}}));
 }
 
-/// An editor that has opened the large text; nothing was looked at.
+/// An editor that has opened the large text, which has not been analysed yet.
 class Busy : public Client {
 public:
     Busy() {
@@ -62,7 +62,7 @@ public:
         request["id"] = id;
         server().receive(std::move(request), "");
     }
-    /// Lets the server work, and tells it of the message meanwhile.
+    /// Lets the server work, and delivers the message meanwhile.
     template <class Work>
     void interrupted_by(const Json& arrival, Work work) {
         std::thread working(work);
@@ -83,7 +83,7 @@ TEST(Interruption, ARunningRequestIsCancelledAndTheServerGoesOn) {
     busy.interrupted_by(cancellation(501), [&] { busy.server().step(); });
     EXPECT_EQ(busy.code_of(501), -32800);
     busy.server().receive(cancellation(501), "");
-    // What is asked next is answered as if nothing had happened.
+    // The next request is answered as usual.
     busy.server().receive(change_to("stm S { var x : lost initial i state A { } transition t { from i to A } }\n"), "");
     busy.hover(502);
     busy.work();
@@ -105,7 +105,7 @@ TEST(Interruption, OtherRequestsAreNotCancelled) {
     busy.hover(503);
     busy.work();
     EXPECT_EQ(busy.code_of(503), 0);
-    // One that is cancelled before it is begun is not begun, whoever knows first.
+    // A request that is cancelled before its start is never started, whichever thread notices first.
     busy.hover(77);
     busy.work();
     EXPECT_EQ(busy.code_of(77), -32800);

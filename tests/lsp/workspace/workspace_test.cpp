@@ -1,4 +1,4 @@
-// Folders, files on disk and texts that override them.
+// Folders, files on disk, and open texts that override them.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -15,7 +15,7 @@ std::string piece(const Project& project, const Cut& cut) {
     return project[cut.file].text.substr(cut.begin, cut.end - cut.begin);
 }
 
-/// Elements as a whole, without the cuts that leave a part of something.
+/// Whole elements, without cuts that leave a part of one.
 std::vector<Cut> elements(const Project& project) {
     std::vector<Cut> result;
     for (Cut& cut : cuts(project)) {
@@ -39,7 +39,7 @@ Project twice(Project project, Random& random) {
     return project;
 }
 
-/// An element goes, or is copied, to where another one begins.
+/// Moves or copies an element to the start of another one.
 Project elsewhere(Project project, Random& random) {
     const std::vector<Cut> possible = elements(project);
     if (possible.empty()) return project;
@@ -62,7 +62,7 @@ bool is_part_of_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// A word of the text: where it begins, and where it ends.
+/// A word of the text: its start and end.
 using Word = std::pair<std::size_t, std::size_t>;
 
 std::vector<Word> words(const std::string& text) {
@@ -76,7 +76,7 @@ std::vector<Word> words(const std::string& text) {
     return result;
 }
 
-/// A word becomes another word of the project: a name that means something else, or nothing, here.
+/// Replaces a word by another word of the project, which may mean something else here, or nothing.
 Project renamed(Project project, Random& random) {
     std::string& text = project[random.below(project.size())].text;
     const std::string& source = project[random.below(project.size())].text;

@@ -1,5 +1,5 @@
-// Models that are nearly well-formed: an element is missing, stands twice or elsewhere, a name is another's, a rule is
-// broken. For the parts behind the front end, which have to take or to refuse what comes through it.
+// Models that are almost well-formed: an element is missing, duplicated or misplaced, a name is replaced, or a rule is
+// violated. They test that components after the front end accept or reject the models that the front end accepts.
 #pragma once
 
 #include "tests/random_models/models/project.hpp"
@@ -7,7 +7,7 @@
 
 namespace robochart::random_models {
 
-/// The project with one to three such changes. Most results are refused by the front end; some are not.
+/// The project with one to three such changes. The front end rejects most results, but not all.
 [[nodiscard]] Project nearly(const Project& project, Random& random);
 
 }  // namespace robochart::random_models

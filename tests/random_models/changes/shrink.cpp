@@ -31,7 +31,7 @@ private:
     void whole(diagnostics::Span span) {
         if (span.known()) add(span.begin, span.end, "");
     }
-    /// The lines that a span lies on: for members whose keyword the span leaves out.
+    /// The lines of a span, for members whose span does not include their keyword.
     void lines(diagnostics::Span span) {
         if (!span.known()) return;
         const std::size_t before = text_.substr(0, span.begin).rfind('\n');
@@ -70,7 +70,7 @@ private:
         for (const auto& signature : context.signatures) whole(signature->span);
     }
 
-    /// A node with its transitions: a junction cannot lose them one by one (J1, J2).
+    /// A node with its transitions: the transitions of a junction cannot be removed one by one (J1, J2).
     void with_transitions(const State& node, const NodeContainer& container) {
         std::vector<diagnostics::Span> parts = {node.span};
         for (const auto& transition : container.transitions)
@@ -133,7 +133,7 @@ private:
     std::vector<Cut>& out_;
 };
 
-/// Takes out the line around a place if nothing is left on it.
+/// Removes the line at a position if it is blank.
 void drop_blank_line(std::string& text, std::size_t at) {
     const std::size_t before = text.substr(0, at).find_last_not_of(' ');
     const std::size_t behind = text.find_first_not_of(' ', at);
@@ -167,7 +167,7 @@ Project after(const Project& project, const Cut& cut) {
     return result;
 }
 
-/// After a cut the search goes on where it stood: what could not be cut before rarely can be cut at once.
+/// After a cut the search continues at the same position, because earlier cuts that failed rarely succeed now.
 Project shrink(Project failing, const std::function<bool(const Project&)>& fails, std::size_t budget) {
     std::size_t skipped = 0;
     bool progress = true;

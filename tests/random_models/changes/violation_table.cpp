@@ -1,10 +1,10 @@
-// The catalogue: one row for each way to break a rule. See violations.hpp.
+// The table of violations: one row for each way to violate a rule. See violations.hpp.
 #include "tests/random_models/changes/violations.hpp"
 
 namespace robochart::random_models {
 
 #define IDLE_MACHINE "stm XS { event xe initial xi state xt { } transition xu { from xi to xt } }"
-/// A machine that runs a statement with the operations of XI.
+/// A machine that executes a statement with the operations of XI.
 #define CALL_OF(statement) \
     "stm XS { requires XI initial xi state xs { entry " statement " } transition xt { from xi to xs } }"
 /// A controller whose machine calls an operation with these members.
@@ -110,7 +110,7 @@ const std::vector<Violation>& violations() {
          "module XM { robotic platform XR { event xe } cref xc = XC connection xc on xe to XR on xe (_async) }",
          "controller XC { event xe sref xs = XS connection XC on xe to xs on xe } " IDLE_MACHINE},
 
-        // What operations need of their callers.
+        // Requirements of operations on their callers.
         {"STM8", file, CALLING("requires XN transition xt { from xi to xf action xv = 1 }"),
          "interface XI { xo() } interface XN { var xv : nat }"},
         {"STM9", file, CALLING("event xe transition xt { from xi to xf action xe }"), "interface XI { xo() }"},

@@ -1,4 +1,4 @@
-// Finding places for violations. See violations.hpp.
+// Finds places for violations. See violations.hpp.
 #include "tests/random_models/changes/violations.hpp"
 
 #include <algorithm>
@@ -12,14 +12,14 @@ using namespace frontend;
 
 namespace {
 
-/// A component that a violation may go to.
+/// A component in which a violation can be inserted.
 struct Place {
     const Declaration* component = nullptr;
     const File* file = nullptr;
     const NodeContainer* nodes = nullptr;  ///< of machines, operations and states
 };
 
-/// All components of a project by kind, those inside others included.
+/// All components of a project by kind, including nested ones.
 class Places {
 public:
     explicit Places(const Model& model) {
@@ -100,7 +100,7 @@ std::vector<std::string> inner_states(const NodeContainer* container) {
     return names;
 }
 
-/// The parts of a controller that are machines, with the machines behind them.
+/// The parts of a controller that are machines, with the definitions of the machines.
 std::vector<std::pair<std::string, const Machine*>> machine_parts(const Declaration* component) {
     std::vector<std::pair<std::string, const Machine*>> parts;
     const auto* controller = dynamic_cast<const Component*>(component);
@@ -114,12 +114,12 @@ std::vector<std::pair<std::string, const Machine*>> machine_parts(const Declarat
     return parts;
 }
 
-/// Puts names in place of `$word`s.
+/// Replaces `$word`s by names.
 class Filler {
 public:
     Filler(const Place& place, Random& random) : place_(place), random_(random) {}
 
-    /// Nothing if something is not there.
+    /// Returns nullopt if the component has no such element.
     std::optional<std::string> fill(std::string_view text) {
         std::string out;
         while (!text.empty()) {
@@ -171,12 +171,12 @@ private:
     const Machine* part_ = nullptr;
 };
 
-/// Texts to be put in, later places first.
+/// Texts to insert, in descending order of position.
 class Insertions {
 public:
     explicit Insertions(const Model& model) : model_(model) {}
 
-    /// Before the closing brace of a component; at the end of the file if there is none.
+    /// Inserts before the closing brace of a component, or at the end of the file if there is none.
     void add(const Place& place, const std::string& text) {
         const std::size_t file =
             static_cast<std::size_t>(std::find_if(model_.files.begin(), model_.files.end(),

@@ -12,25 +12,25 @@ namespace robochart::random_models {
 struct Port {
     std::string name;
     const DataType* type = nullptr;  ///< null: untyped
-    bool receives = true;            ///< seen from the component; otherwise it sends
+    bool receives = true;            ///< from the component's point of view; otherwise it sends
     bool both_ways = false;          ///< connected by [mult]
     bool broadcast = false;
 };
 
-/// An operation that may be called.
+/// An operation that can be called.
 struct Signature {
     std::string name;
     std::vector<const DataType*> parameters;
-    std::string interface = {};  ///< that declares it
+    std::string interface = {};  ///< the interface that declares it
 };
 
-/// A state that can be named in `sinceEntry`, with its container's transitions.
+/// A state that can be named in `sinceEntry`, with the transitions of its container.
 struct Container {
     std::vector<std::string> states;
     std::vector<std::string> finals;
 };
 
-/// What the actions of a machine or operation may name.
+/// The names that actions of a machine or operation can use.
 struct Surroundings {
     std::vector<Named> readable;
     std::vector<Named> writable;
@@ -47,7 +47,7 @@ public:
     void line(const std::string& text);
     void open(const std::string& head);
     void close();
-    /// Lines of another text, at the indentation here.
+    /// Adds the lines of another text with the current indentation.
     void embed(const std::string& text);
     [[nodiscard]] const std::string& text() const { return text_; }
 
@@ -61,12 +61,12 @@ class Behaviour {
 public:
     Behaviour(Random& random, const Shape& shape, Names& names, Types& types, const Surroundings& around);
 
-    /// The nodes and transitions of a machine or operation. An operation ends in a final state.
+    /// The nodes and transitions of a machine or operation. An operation has to end in a final state.
     void container(Lines& out, std::size_t depth, bool must_end);
     Expressions& expressions() { return expressions_; }
 
 private:
-    /// A transition before it is written.
+    /// A transition that has not been written yet.
     struct Step {
         std::string from, to;
         std::string trigger, probability, condition, action;
@@ -86,14 +86,15 @@ private:
     std::string assignment();
     std::string communication();
     std::string call();
-    /// What a communication on a broadcast event accepts: `[| x = from | p |]`; "" for everything.
+    /// The condition under which a communication on a broadcast event is accepted: `[| x = from | p |]`; "" if it is
+    /// always accepted.
     std::string filter(const Port& port, const std::string& peer);
-    /// The variable that an input on the port is stored into, as it is written; "" if there is none.
+    /// The text of the variable that stores an input on the port; "" if there is none.
     std::string stored(const Port& port);
     std::string timed();
     /// A number of time units.
     std::string duration();
-    /// A part of the variable that can be assigned, of any depth, with its type.
+    /// An assignable part of the variable, at any depth, with its type.
     Named part_of(Named whole);
     std::string conditional(std::size_t depth);
     std::string sequence(std::size_t depth);
@@ -115,7 +116,7 @@ private:
     Types& types_;
     const Surroundings& around_;
     Expressions expressions_;
-    std::string inside_;  ///< the state whose nodes are being written; "" for those of the machine
+    std::string inside_;  ///< the state whose nodes are being written; "" for the machine
 };
 
 }  // namespace robochart::random_models

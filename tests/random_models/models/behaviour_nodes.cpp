@@ -1,4 +1,5 @@
-// Nodes and transitions of random models: every node is reached and left as the rules ask. See behaviour.hpp.
+// Nodes and transitions of random models: every node has incoming and outgoing transitions as the rules require. See
+// behaviour.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +40,7 @@ std::string Behaviour::target(const Nodes& nodes) {
     return random_.pick(nodes.states);
 }
 
-/// Guards of the outgoing transitions of a junction. One of them is enabled, unless the shape lets them vary.
+/// Guards of the outgoing transitions of a junction. One of them is true, unless the shape varies junctions.
 std::vector<std::string> Behaviour::ways() {
     const std::string guard = expressions_.operand(*types_.boolean(), 4);
     const bool otherwise = shape_.else_conditions && random_.chance(50);
@@ -65,7 +66,7 @@ std::vector<std::string> Behaviour::chances() {
                               : std::vector<std::string>{"1 / 2", "0.25", "1 / 4"};
 }
 
-/// A junction splits one way into several; a probabilistic one by chance.
+/// A junction splits one transition into several; a probabilistic junction splits it by probability.
 void Behaviour::plan_junctions(Nodes& nodes) {
     const auto split = [&](const std::string& name, const std::vector<std::string>& ways, bool by_chance) {
         const bool chained = shape_.varied_junctions && !by_chance && nodes.junctions.size() > 1 && random_.chance(60);
@@ -86,7 +87,7 @@ void Behaviour::plan_junctions(Nodes& nodes) {
             nodes.junctions.push_back(names_.local("j"));
             split(nodes.junctions.back(), ways(), false);
         }
-        // The first state has a way from the initial node of its own, unless that goes by the junction.
+        // The first state has a transition from the initial node, unless that transition goes through the junction.
         if (shape_.varied_junctions && random_.chance(25)) {
             nodes.steps[0].to = nodes.junctions[0];
             nodes.steps.push_back({nodes.junctions[0], nodes.states[0], {}, {}, {}, {}, false});
@@ -148,8 +149,8 @@ void Behaviour::state(Lines& out, const std::string& name, std::size_t depth) {
     out.close();
 }
 
-/// Clauses in the order of the grammar. An outgoing transition of a state waits for an event or for time where that is
-/// possible.
+/// Writes the clauses in the order of the grammar. If possible, an outgoing transition of a state waits for an event or
+/// for time.
 void Behaviour::step(Lines& out, const Nodes& nodes, const Step& step) {
     out.open("transition " + names_.local("t"));
     out.line("from " + step.from + " to " + step.to);

@@ -65,7 +65,7 @@ std::string Behaviour::conditional(std::size_t depth) {
     return fmt::format("if {} then {}{} end", condition, yes, no);
 }
 
-/// Something that takes no time of its own; falls back to `skip` where nothing is in scope.
+/// A statement that takes no time of its own; `skip` if nothing suitable is in scope.
 std::string Behaviour::simple_statement() {
     constexpr int attempts = 4;
     for (int i = 0; i < attempts; ++i) {
@@ -123,7 +123,7 @@ std::string Behaviour::stored(const Port& port) {
     return {};
 }
 
-/// "" if nothing can be said on the event drawn. Directions are those that connections are made for (Cn8, Cn9).
+/// "" if no communication on the chosen event is possible. Connections exist only for these directions (Cn8, Cn9).
 std::string Behaviour::communication() {
     constexpr int call_level = 12;
     const Port port = random_.pick(around_.ports);

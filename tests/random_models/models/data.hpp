@@ -1,5 +1,5 @@
-// The types of a random model and expressions of a given type (private to the component). Expressions are well-typed by
-// construction, after the rules of the type provider (language reference 2, Types).
+// The types of a random model, and expressions of a given type (private to the component). Expressions are well-typed
+// by construction, by the rules for types (language reference 2, Types).
 #pragma once
 
 #include <deque>
@@ -32,21 +32,22 @@ enum class Form {
     relation,
 };
 
-/// A type; equal types are one object.
+/// A type; equal types are the same object.
 struct DataType {
     Form form = Form::nat;
     std::string written;                                  ///< as RoboChart text
     std::vector<const DataType*> parts;                   ///< element, operands, types of fields, argument and result
-    std::vector<std::string> labels;                      ///< literals, fields; given: the function that yields a value
+    std::vector<std::string> labels;                      ///< literals, fields; given type: the function that yields a
+                                                          ///< value
     std::size_t rows = 0, columns = 0;                    ///< matrix; vector: columns
-    std::vector<std::vector<const DataType*>> arguments;  ///< enumeration: of each literal
+    std::vector<std::vector<const DataType*>> arguments;  ///< enumeration: types of the parameters of each literal
 };
 
 /// A variable, constant, parameter or bound variable.
 struct Named {
     std::string name;
     const DataType* type = nullptr;
-    std::string interface = {};  ///< that is required for it; "" if none is
+    std::string interface = {};  ///< the interface required for it; "" if none
 };
 
 /// A declared function.
@@ -56,23 +57,23 @@ struct Operator {
     const DataType* result = nullptr;
 };
 
-/// A function over type variables: a toolkit's, or declared so in the model.
+/// A generic function of a toolkit or of the model.
 struct Generic {
     std::string name;
-    std::string package;  ///< of a toolkit; "" for the model's own
+    std::string package;  ///< of a toolkit; "" for the model's own functions
     std::vector<frontend::TypeExprPtr> parameters;
     frontend::TypeExprPtr result;
 };
 
 /// The functions that a text declares.
 [[nodiscard]] std::vector<Generic> read_generics(const std::string& package, const std::string& text);
-/// Those of the four toolkits.
+/// The functions of the four toolkits.
 [[nodiscard]] const std::vector<Generic>& toolkit_functions();
 
-/// What stands for each type variable.
+/// The type chosen for each type variable.
 using TypeChoice = std::map<std::string, const DataType*>;
 
-/// Text of an expression and how tightly it binds (levels of the grammar, `iff` 0 to atoms 13).
+/// The text of an expression and its precedence (levels of the grammar, from `iff` 0 to atoms 13).
 struct Written {
     std::string text;
     int level = 13;
@@ -83,27 +84,29 @@ class Types {
 public:
     Types(Random& random, const Shape& shape, Names& names);
 
-    /// A type for variables and events; built anew within the shape or one that exists.
+    /// A type for variables and events: a new one within the shape, or an existing one.
     const DataType* any();
     /// A type that exists already.
     const DataType* existing();
-    /// The same for a part of a product: no wider numbers inside of it, so that tuples of equal type are comparable.
+    /// An existing type for a part of a product: it contains no wider numbers, so that tuples of equal type are
+    /// comparable.
     const DataType* existing_part();
-    /// A type that need not be one for variables, such as that of an argument of a toolkit's function.
+    /// A type that variables need not be able to have, such as the type of an argument of a toolkit's function.
     const DataType* sought(DataType type);
-    /// The types under type variables with which `written` is a type that fits; false if there are none.
+    /// Finds types for the type variables such that `written` becomes a type that fits; returns false if there are
+    /// none.
     bool unify(const frontend::TypeExpr& written, const DataType& type, TypeChoice& choice) const;
-    /// The type written; chooses types for variables that are still open.
+    /// The type that the text denotes; chooses types for variables that are still open.
     const DataType* instance(const frontend::TypeExpr& written, TypeChoice& choice);
     [[nodiscard]] const DataType* boolean() const { return &types_[0]; }
     [[nodiscard]] const DataType* nat() const { return &types_[1]; }
     [[nodiscard]] const std::vector<Operator>& functions() const { return functions_; }
     [[nodiscard]] const std::vector<Generic>& generics() const { return generics_; }
-    /// Declares functions over type variables, if the shape has them.
+    /// Declares generic functions, if the shape includes them.
     void declare_generics();
-    /// Declares a function over the types that exist, if the shape has functions.
+    /// Declares a function over the existing types, if the shape includes functions.
     void declare_function();
-    /// The declarations made so far, each a definition of its own.
+    /// The declarations so far, each of them a separate definition.
     [[nodiscard]] const std::vector<std::string>& declarations() const { return declarations_; }
 
 private:
@@ -129,22 +132,22 @@ private:
 /// nat, int or real.
 [[nodiscard]] bool is_number(const DataType& type);
 
-/// A value of type `from` may stand where `to` is expected.
+/// Whether a value of type `from` may be used where `to` is expected.
 [[nodiscard]] bool fits(const DataType& from, const DataType& to);
 
-/// Writes expressions over what is in scope.
+/// Generates expressions over the names in scope.
 class Expressions {
 public:
     Expressions(Random& random, const Shape& shape, Types& types) : random_(random), shape_(shape), types_(types) {}
 
-    /// What expressions may read.
+    /// The names that expressions may read.
     std::vector<Named> scope;
-    /// Functions may be called (not where values must be constant).
+    /// Whether functions may be called (they may not in constant expressions).
     bool calls = true;
 
-    /// An expression that fits the type; its height is bounded by the shape.
+    /// An expression that fits the type; the shape bounds its height.
     std::string of(const DataType& type);
-    /// The same as an operand that binds at least as tightly as `level`.
+    /// Such an expression as an operand that binds at least as tightly as `level`.
     std::string operand(const DataType& type, int level);
     /// A literal, or a composition of literals.
     std::string literal(const DataType& type);
@@ -189,7 +192,7 @@ private:
     Random& random_;
     const Shape& shape_;
     Types& types_;
-    std::size_t bound_ = 0;  ///< bound variables named so far
+    std::size_t bound_ = 0;  ///< number of bound variables so far
 };
 
 }  // namespace robochart::random_models

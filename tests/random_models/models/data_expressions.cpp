@@ -110,7 +110,7 @@ std::string Expressions::list(const std::vector<const DataType*>& types, std::si
     return out;
 }
 
-/// Parts of a tuple are cast to the wider numbers: `nat * int` and `int * nat` have no common type.
+/// Parts of a tuple are cast to the wider number type, because `nat * int` and `int * nat` have no common type.
 std::string Expressions::tuple_parts(const DataType& type, std::size_t depth) {
     std::string out;
     for (const DataType* part : type.parts) {
@@ -128,7 +128,7 @@ std::string Expressions::constructor(const DataType& type, std::size_t depth) {
     if (type.form == Form::sequence) {
         const std::vector<const DataType*> parts(random_.between(1, 3), type.parts[0]);
         const std::string elements = list(parts, depth, plus_level);
-        // A sequence that begins with a set would begin like a deadline.
+        // A sequence that starts with a set would be parsed as a deadline.
         return elements.starts_with("{") ? "< " + elements + ">" : "<" + elements + ">";
     }
     if (type.form == Form::record) {
@@ -195,7 +195,7 @@ Written Expressions::compound(const DataType& type, std::size_t depth) {
     }
 }
 
-/// Forms that every type has.
+/// Forms that exist for every type.
 Written Expressions::common(const DataType& type, std::size_t depth) {
     const std::size_t way = random_.below(6);
     if (way == 5 && shape_.data.binders) return application(type, depth);

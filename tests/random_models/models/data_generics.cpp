@@ -1,5 +1,5 @@
-// Generic functions of random models: those of the toolkits and some of the model's own, called at types that are found
-// by matching the result that is written with the one that is wanted. See data.hpp.
+// Generic functions of random models: those of the toolkits and some of the model. The types of a call are found by
+// matching the declared result type with the required one. See data.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ Form form_of(TypeKind kind) {
     }
 }
 
-/// Parts of `*`, `->` and `<->`.
+/// Parenthesises operands of `*`, `->` and `<->`.
 std::string operand(const DataType& type) {
     const bool loose = type.form == Form::product || type.form == Form::function || type.form == Form::relation ||
                        type.form == Form::vector || type.form == Form::matrix;  // RC-P26
@@ -75,7 +75,7 @@ std::string written(const DataType& type) {
     return out;
 }
 
-/// Whether a type variable of a toolkit stands for numbers only.
+/// Whether a type variable of a toolkit is restricted to numbers.
 bool is_numeric(const TypeExpr& variable) {
     return variable.name.text() == "Number";
 }
@@ -90,7 +90,7 @@ const DataType* Types::sought(DataType type) {
     return &sought_.back();
 }
 
-/// `nat`, `int` or `boolean`, though the shape may have no such variables.
+/// `nat`, `int` or `boolean`, even if the shape has no such variables.
 const DataType* Types::basic(const std::string& name) const {
     static const DataType integer{Form::integer, "int", {}, {}, 0, 0, {}};
     for (const DataType& known : types_)
@@ -137,7 +137,7 @@ void Types::declare_generics() {
         const std::string head = random_.pick(heads);
         declarations_.push_back("function " + name + head + " {\n}\n");
         for (Generic& each : read_generics("", declarations_.back())) {
-            each.name = name;  // as it is written, with its `^`
+            each.name = name;  // in the written form, with its `^`
             generics_.push_back(std::move(each));
         }
     }
@@ -168,7 +168,7 @@ Written Expressions::generic_call(const Generic& function, TypeChoice choice, st
     return {package + function.name + "(" + list(parameters, depth, -1) + ")", call_level};
 }
 
-/// `f(..) == e` for any function: some have results that are wanted nowhere else.
+/// `f(..) == e` for any function, because the result types of some functions occur nowhere else.
 Written Expressions::generic_comparison(std::size_t depth) {
     constexpr int compare_level = 5;
     const Generic& function = random_.pick(toolkit_functions());
@@ -178,7 +178,7 @@ Written Expressions::generic_comparison(std::size_t depth) {
     return {left + (random_.chance(70) ? " == " : " != ") + at(compare_level + 1, result, depth), compare_level};
 }
 
-/// `lambda x : A @ e`, which an argument or operand needs in parentheses; a relation is the set of its pairs.
+/// `lambda x : A @ e`, in parentheses if it is an argument or operand; a relation is the set of its pairs.
 std::string Expressions::mapping(const DataType& type, std::size_t depth) {
     if (type.form == Form::function) {
         scope.push_back({"b" + std::to_string(bound_++), type.parts[0]});
@@ -203,7 +203,7 @@ std::string Expressions::literal_of(const DataType& type, std::size_t depth) {
     return arguments.empty() ? name : name + "(" + list(arguments, depth, -1) + ")";
 }
 
-/// `e is T`, where T is the type of e, a narrower or a wider one.
+/// `e is T`, where T is the type of e, or a narrower or wider one.
 Written Expressions::type_test(std::size_t depth) {
     constexpr int cast_level = 7;
     const DataType& type = *types_.existing();
@@ -213,7 +213,7 @@ Written Expressions::type_test(std::size_t depth) {
     return {fmt::format("{} is {}", value, related ? other.written : type.written), cast_level};
 }
 
-/// `{x : T}`, with a condition, with what to take, or with both.
+/// `{x : T}`, with a condition, a result expression, or both.
 Written Expressions::comprehension(const DataType& element, std::size_t depth) {
     scope.push_back({"b" + std::to_string(bound_++), &element});
     const std::string name = scope.back().name;
@@ -225,7 +225,7 @@ Written Expressions::comprehension(const DataType& element, std::size_t depth) {
     return {fmt::format("{{{} : {}{}{}}}", name, element.written, condition, body), 13};
 }
 
-/// Vectors and matrices: sums, transposed and inverse ones, or their parts.
+/// Vectors and matrices: sums, transposes and inverses, or their parts.
 Written Expressions::matrix(const DataType& type, std::size_t depth) {
     constexpr int plus_level = 8;
     const std::size_t way = random_.below(10);

@@ -133,8 +133,8 @@ const DataType* Types::enumeration() {
     return intern(std::move(type));
 }
 
-/// `A -> B`, `A <-> B`, or with `A * B` before the arrow. Parts are no wider than those of products, and for the same
-/// reason.
+/// `A -> B`, `A <-> B`, or with `A * B` before the arrow. Like parts of products, the operands contain no wider
+/// numbers.
 const DataType* Types::mapping(Form form) {
     DataType type;
     type.form = form;

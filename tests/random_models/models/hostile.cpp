@@ -5,17 +5,17 @@ namespace robochart::random_models {
 
 const std::vector<std::string_view>& hostile_names() {
     static const std::vector<std::string_view> names = {
-        // CSPM: words, and functions and processes that every script has.
+        // CSPM: keywords, and functions and processes that exist in every script.
         "CHAOS", "DIV", "RUN", "SKIP", "STOP", "WAIT", "USTOP", "TRUE", "Bool", "Int", "Char", "Events", "Proc",
         "Timed", "assert", "channel", "subtype", "nametype", "external", "transparent", "normal", "within", "and", "or",
         "card", "head", "tail", "length", "member", "diff", "union", "Union", "inter", "Inter", "null", "elem", "set",
         "seq", "Map", "concat", "empty", "extensions", "productions", "error", "show", "mapLookup", "tock", "terminate",
         "timed_priority", "print", "explicate", "loop_", "TIDS", "step", "OneStep",
-        // What scripts of models declare.
+        // Declarations of generated scripts.
         "D__", "O__", "AS_O__", "STM", "HEXT__", "core_nat", "core_int", "core_clock_type", "Plus", "Minus", "NIDS",
         "SIDS", "IIDS", "FVS", "internal__", "Timer", "clockReset", "enter", "entered", "interrupt", "instantiations",
         "const_x", "get_v", "set_v", "sharedVar", "x__", "M__1", "a__b", "_x", "__y", "_", "__", "x_1", "S_1",
-        // C++: words, headers and what generated code calls its own.
+        // C++: keywords, headers, and names that generated code uses.
         "class", "template", "typename", "namespace", "new", "delete", "this", "bool", "operator", "static", "virtual",
         "private", "public", "return", "switch", "default", "auto", "register", "volatile", "xor", "bitand", "not_eq",
         "co_await", "concept", "constexpr", "thread_local", "char8_t", "alignas", "asm", "goto", "union_", "std",
@@ -26,7 +26,7 @@ const std::vector<std::string_view>& hostile_names() {
         "state_", "value", "values", "it", "core", "explore", "reset", "init", "spend", "pick", "wait_", "since_",
         "none", "other", "self", "data", "size", "begin", "make", "at", "index", "Checking", "Module0_core", "Carrier",
         "NatCarrier", "Finite", "Logged", "rc_interface", "robochart_explore",
-        // Elsewhere.
+        // Other languages.
         "con", "nul", "aux", "CMakeLists", "all", "clean", "test", "install", "package_", "a", "A", "ID", "id", "Self"};
     return names;
 }

@@ -1,5 +1,5 @@
-// Names and strings that mean something elsewhere (private to the component): in CSPM, in C++ and its headers, in what
-// is generated, in CMake, shells and XML.
+// Names and strings with a meaning in other languages (private to the component): in CSPM, in C++ and its headers, in
+// generated code, in CMake, shells and XML.
 #pragma once
 
 #include <string_view>
@@ -7,9 +7,9 @@
 
 namespace robochart::random_models {
 
-/// Names without those of the core types and without reserved words of RoboChart, which are written with a `^`.
+/// Names other than core types and reserved words of RoboChart, which are written with a `^`.
 [[nodiscard]] const std::vector<std::string_view>& hostile_names();
-/// String literals as they are written in RoboChart.
+/// String literals in RoboChart's notation.
 [[nodiscard]] const std::vector<std::string_view>& hostile_strings();
 
 }  // namespace robochart::random_models

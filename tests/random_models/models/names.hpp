@@ -11,18 +11,19 @@
 
 namespace robochart::random_models {
 
-/// Hands out names; none twice, but those that are local to a component where components may repeat them.
+/// Generates names. All are different, except that components may repeat local names if the shape allows it.
 class Names {
 public:
     Names(Random& random, const Shape& shape) : random_(random), shape_(shape) {}
 
-    /// A name that begins with `stem`, such as `speed3`; or, rarely, an escaped reserved word.
+    /// A name that starts with `stem`, such as `speed3`; rarely an escaped reserved word.
     std::string fresh(std::string_view stem);
-    /// A name that only the component at hand uses. Others may have the same where the shape repeats names.
+    /// A name that is local to the current component. Other components may use the same name if the shape repeats
+    /// names.
     std::string local(std::string_view stem);
-    /// A name for the package of a file, with qualifiers where names are hostile.
+    /// A name for the package of a file, with qualifiers if names are hostile.
     std::string package(std::size_t file);
-    /// Another component begins: names that are local to others may come again.
+    /// Starts another component, in which names that are local to other components may be reused.
     void begin_component() { used_here_.clear(); }
 
 private:
@@ -31,7 +32,7 @@ private:
 
     Random& random_;
     const Shape& shape_;
-    /// A word of another language that is not used yet; "" if there is none.
+    /// An unused word of another language; "" if there is none left.
     std::string hostile();
 
     std::size_t used_words_ = 0;

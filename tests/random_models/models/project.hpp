@@ -1,4 +1,4 @@
-// Random models as texts: the form that readers, editors, fuzzers and other tools take.
+// Random models as texts, the input of parsers, editors, fuzzers and other tools.
 #pragma once
 
 #include <cstddef>
@@ -24,14 +24,14 @@ struct Text {
 /// The files of a project, in the order of their paths.
 using Project = std::vector<Text>;
 
-/// Lines of all files.
+/// The number of lines in all files.
 [[nodiscard]] std::size_t lines(const Project& project);
-/// All files in one text, each under its path: for messages of failing tests.
+/// All files in one text, each preceded by its path, for messages of failing tests.
 [[nodiscard]] std::string listing(const Project& project);
-/// Writes the files below a folder, which is made. On failure returns the cause in words, otherwise "".
+/// Writes the files into a folder, which is created. Returns "" or the cause of a failure.
 [[nodiscard]] std::string write(const Project& project, const std::string& folder);
 
-/// A project read and resolved, with what was found.
+/// A project that is loaded and resolved, with the findings.
 struct Loaded {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;
@@ -39,13 +39,13 @@ struct Loaded {
 
     /// The distinct codes of the errors, sorted and separated by blanks; "" if there is none.
     [[nodiscard]] std::string error_codes() const;
-    /// What was found, as people see it.
+    /// The findings in readable form.
     [[nodiscard]] std::string report() const;
 };
 
-/// Reads without resolving.
+/// Parses without resolving.
 [[nodiscard]] std::unique_ptr<Loaded> parse(const Project& project);
-/// Reads, adds the toolkits that are imported, resolves.
+/// Parses, adds the imported toolkits, and resolves.
 [[nodiscard]] std::unique_ptr<Loaded> load(const Project& project);
 
 }  // namespace robochart::random_models

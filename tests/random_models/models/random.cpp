@@ -9,7 +9,7 @@ std::uint64_t Random::next() {
     return diagnostics::splitmix64(state_);
 }
 
-/// The remainder's bias is below 2^-40 for the small bounds used here.
+/// The bias of the remainder is below 2^-40 for the small bounds used here.
 std::size_t Random::below(std::size_t bound) {
     return static_cast<std::size_t>(next() % bound);
 }

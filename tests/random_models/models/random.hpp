@@ -1,5 +1,6 @@
 // Random numbers that are the same on every platform: SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom
-// number generators, OOPSLA 2014). No distribution of the standard library, whose results differ between libraries.
+// number generators, OOPSLA 2014). Distributions of the standard library are not used, because their results differ
+// between libraries.
 #pragma once
 
 #include <cstddef>
@@ -8,20 +9,21 @@
 
 namespace robochart::random_models {
 
-/// A stream of random numbers. Draw one at a time: the order of arguments of a call is up to the compiler.
+/// A stream of random numbers. Draw only one per expression, because the compiler chooses the order in which arguments
+/// are evaluated.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
 
     /// The next 64 bits.
     std::uint64_t next();
-    /// A number below `bound`, which is positive.
+    /// A number below `bound`, which must be positive.
     std::size_t below(std::size_t bound);
     /// A number from `low` to `high`, both included.
     std::size_t between(std::size_t low, std::size_t high) { return low + below(high - low + 1); }
     /// True in `percent` of 100 cases.
     bool chance(unsigned percent) { return below(100) < percent; }
-    /// One of the items, of which there is at least one.
+    /// One of the items; `items` must not be empty.
     template <class Item>
     const Item& pick(const std::vector<Item>& items) {
         return items[below(items.size())];

@@ -1,17 +1,17 @@
-// What random well-formed models look like: sizes, and which parts of the language they use.
+// Parameters of random well-formed models: sizes, and the language constructs that they use.
 #pragma once
 
 #include <cstddef>
 
 namespace robochart::random_models {
 
-/// An inclusive range that a number is drawn from.
+/// An inclusive range of numbers.
 struct Count {
     std::size_t low = 0;
     std::size_t high = 0;
 };
 
-/// Which values variables, events and parameters have.
+/// The values of variables, events and parameters.
 struct Data {
     bool naturals = true;
     bool integers = false;
@@ -35,14 +35,14 @@ struct Data {
     std::size_t expression_depth = 2;
 };
 
-/// The knobs of well-formed models. Every combination gives models without errors.
+/// The parameters of well-formed models. Every combination gives models without errors.
 struct Shape {
     // Sizes.
-    Count files{1, 1};  ///< that the definitions of one system are spread over
+    Count files{1, 1};  ///< over which the definitions of one system are distributed
     Count controllers{1, 2};
     Count machines{1, 2};     ///< of a controller
-    Count states{1, 3};       ///< of a machine or composite state, besides junctions and final states
-    Count transitions{0, 3};  ///< of a container, besides those that well-formedness and reachability need
+    Count states{1, 3};       ///< of a machine or composite state, without junctions and final states
+    Count transitions{0, 3};  ///< of a container, in addition to those that well-formedness and reachability need
     Count variables{0, 2};    ///< of a machine
     Count constants{0, 1};    ///< of a machine
     Count events{1, 3};       ///< of a machine
@@ -51,7 +51,7 @@ struct Shape {
     Count defined_operations{0, 1};  ///< of a controller
     Count statements{1, 3};          ///< of an action
     unsigned actions = 35;           ///< percent of the transitions
-    unsigned calls = 25;             ///< percent of the simple statements, where there are operations
+    unsigned calls = 25;             ///< percent of the simple statements, if there are operations
     std::size_t depth = 1;           ///< of nested composite states
     unsigned composites = 25;        ///< percent of the states, down to that depth
 
@@ -66,41 +66,41 @@ struct Shape {
     bool conditionals = true;        ///< `if` statements
     bool inputs_in_actions = false;  ///< `e?x` as a statement
     bool time = false;               ///< clocks, since, sinceEntry, wait, deadlines
-    bool paced = false;              ///< with `time`: actions end in a time unit, and so do entries of states
+    bool paced = false;              ///< with `time`: actions take a time unit, and so do entry actions of states
     bool shared_variables = true;    ///< of the platform and of controllers
     bool open_constants = false;     ///< constants without a value
-    bool varied_places = false;      ///< members of interfaces in components, and those of components in interfaces
-    bool references = true;          ///< rref, cref, sref, opref beside definitions in place
+    bool varied_places = false;      ///< members of interfaces in components, and members of components in interfaces
+    bool references = true;          ///< rref, cref, sref, opref in addition to definitions in place
     bool buffers = false;            ///< half of the connections between controllers are asynchronous
     bool unconnected_events = true;
     bool else_conditions = false;  ///< `condition else`
     bool probabilistic = false;
-    bool bidirectional = false;     ///< [mult]
-    bool contracts = false;         ///< conditions of operations
-    bool predicates = false;        ///< conditions in communications that receive: `e[| p |]?x`
-    bool varied_times = false;      ///< durations that variables say: `wait(v)`, `since(C) < v`
-    bool varied_junctions = false;  ///< junctions after initial nodes and junctions, with ways that overlap or are shut
+    bool bidirectional = false;       ///< [mult]
+    bool contracts = false;           ///< conditions of operations
+    bool predicates = false;          ///< conditions of inputs: `e[| p |]?x`
+    bool varied_times = false;        ///< durations that depend on variables: `wait(v)`, `since(C) < v`
+    bool varied_junctions = false;    ///< junctions after initial nodes and junctions, with overlapping or false guards
     bool chance_expressions = false;  ///< probabilities such as `1 / 4` and `1 - q`
-    bool instances = false;           ///< references to machines and controllers, each of them twice
+    bool instances = false;           ///< two references to the same machine or controller
     bool bodiless_operations = false;
-    bool operation_events = false;   ///< events that operations communicate on, those of their callers
-    bool nested_operations = false;  ///< operations call others, and take variables and clocks from their callers
+    bool operation_events = false;   ///< operations communicate on events of their callers
+    bool nested_operations = false;  ///< operations call others, and access variables and clocks of their callers
     bool repeated_names = false;     ///< components use names for their members that others use for theirs
-    bool broadcast = false;        ///< `_broadcast` events, and what their communications accept: `[| x = from | p |]`
-    bool packages = true;          ///< named packages and imports
-    bool qualified_names = false;  ///< `P::X` where `X` would do
-    bool escaped_names = false;    ///< `^end` and other reserved words as names
-    bool hostile = false;          ///< names that mean something in CSPM or C++, and strings that end strings there
-    bool assertions = true;        ///< a file of claims about each module
-    bool comments = false;         ///< and `diagram`
+    bool broadcast = false;          ///< `_broadcast` events, and conditions of their communications
+    bool packages = true;            ///< named packages and imports
+    bool qualified_names = false;    ///< `P::X` in places where `X` is enough
+    bool escaped_names = false;      ///< `^end` and other reserved words as names
+    bool hostile = false;            ///< names and strings with a meaning in CSPM or C++
+    bool assertions = true;          ///< an assertion file for each module
+    bool comments = false;           ///< and `diagram`
 
-    /// One machine or a few, booleans, small numbers and enumerations, no time: state spaces stay small.
+    /// One or a few machines with booleans, small numbers and enumerations, without time: state spaces stay small.
     [[nodiscard]] static Shape untimed_core();
-    /// The same with clocks, waits and deadlines.
+    /// The untimed core with clocks, waits and deadlines.
     [[nodiscard]] static Shape timed_core();
-    /// Everything that a model without errors may contain.
+    /// Every construct that a model without errors may contain.
     [[nodiscard]] static Shape whole_language();
-    /// Small models with names and strings of the other languages that they are translated to.
+    /// Small models with names and strings from the languages to which they are translated.
     [[nodiscard]] static Shape with_hostile_words();
 };
 

@@ -9,7 +9,7 @@ void SystemBuilder::define(const std::string& text) {
     definitions_.push_back({text, random_.below(files_)});
 }
 
-/// A component in place, or elsewhere with a reference; returns the name by which the surrounding one knows it.
+/// Defines a component in place, or elsewhere with a reference; returns its name in the enclosing component.
 std::string SystemBuilder::place(Lines& out, const std::string& word, const std::string& name,
                                  const std::string& text) {
     if (!shape_.references || random_.chance(50)) {
@@ -73,7 +73,7 @@ void SystemBuilder::platform_interfaces() {
     define_interface(platform_operations_);
 }
 
-/// Events stand in the component itself or in an interface that it uses.
+/// Declares events in the component itself or in an interface that it uses.
 void SystemBuilder::declare_ports(Lines& out, const std::vector<Port>& ports) {
     const bool in_interface = !ports.empty() && random_.chance(30);
     const std::string interface = in_interface ? names_.fresh("Events") : "";
@@ -99,11 +99,11 @@ std::string SystemBuilder::platform(const std::string& name, const std::vector<P
     return out.text();
 }
 
-/// Joins ports of the parts with each other or with the component around them, whose ports are returned. Each port has
-/// one connection at most (C6, M3). Broadcasts are passed on from level to level (Cn4).
+/// Connects ports of the parts with each other or with the enclosing component, whose ports are returned. Each port has
+/// at most one connection (C6, M3). Broadcasts are passed on from level to level (Cn4).
 std::vector<Port> SystemBuilder::connect(std::vector<Part> parts, const std::string& outer, std::vector<Link>& links) {
     std::vector<Port> ports;
-    const bool closed = shape_.varied_places && random_.chance(10);  // nothing goes out
+    const bool closed = shape_.varied_places && random_.chance(10);  // no event leaves the component
     for (std::size_t i = 0; i < parts.size(); ++i)
         for (Port& port : parts[i].ports) {
             if (port.name.empty()) continue;  // connected already
@@ -159,7 +159,7 @@ System SystemBuilder::build() {
     for (const Part& part : controllers) components_.insert(components_.begin(), part.name);
     const std::string platform_name = names_.fresh("Robot");
     std::vector<Link> links;
-    const std::string marker = "the platform";  // its name here is known after it is placed
+    const std::string marker = "the platform";  // replaced by its name here once it is placed
     names_.begin_component();
     const std::vector<Port> ports = connect(controllers, marker, links);
     Lines module;

@@ -1,5 +1,5 @@
-// One module and all that it consists of (private to the component): who offers, requires and connects what, after the
-// rules for components and connections (language reference 2).
+// One module and all its components (private to the component). It decides which component provides, requires and
+// connects what, by the rules for components and connections (language reference 2).
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace robochart::random_models {
 
-/// A top-level definition and the file, counted within the system, that it goes to.
+/// A top-level definition, and the number of its file within the system.
 struct Definition {
     std::string text;
     std::size_t file = 0;
@@ -19,7 +19,7 @@ struct Definition {
 struct System {
     std::string module;
     std::vector<Definition> definitions;
-    std::vector<std::string> components;  ///< paths from the module down that claims may be about
+    std::vector<std::string> components;  ///< paths of components, from the module down, that assertions may name
 };
 
 /// Builds one system.
@@ -30,26 +30,27 @@ public:
     System build();
 
 private:
-    /// An interface with the variables, clocks or operations that it declares; without a name there is none.
+    /// An interface and the variables, clocks or operations that it declares; there is no interface if the name is
+    /// empty.
     struct Shared {
         std::string interface = {};
         std::vector<Named> variables = {};
         std::vector<Named> constants = {};
         std::vector<std::string> clocks = {};
-        std::vector<std::string> members = {};  ///< as they are declared
+        std::vector<std::string> members = {};  ///< texts of the declarations
         std::vector<Signature> operations = {};
     };
-    /// Operations behind one interface, with what those who call them must have (STM8 to STM10).
+    /// The operations of one interface, with the requirements on their callers (STM8 to STM10).
     struct Defined {
         Shared offer;
         std::vector<Port> ports = {};
         std::vector<Shared> needs = {};
     };
     using Callable = std::vector<Defined>;
-    /// A component in the eyes of the one around it.
+    /// A component from the point of view of the enclosing one.
     struct Part {
         std::string name;
-        std::string definition;  ///< the same where it is defined in place
+        std::string definition;  ///< the component's name where it is defined in place
         std::vector<Port> ports;
     };
     struct Link {
@@ -62,7 +63,7 @@ private:
     void define(const std::string& text);
     std::string place(Lines& out, const std::string& word, const std::string& name, const std::string& text);
     void platform_interfaces();
-    /// `provides I` or `uses I`, or what I declares.
+    /// Writes `provides I` or `uses I`, or the declarations of I.
     void offer(Lines& out, const std::string& word, const Shared& shared);
     void define_interface(const Shared& shared);
     void declare_in_interface(Lines& out, const std::string& stem, const std::vector<std::string>& members);
@@ -89,7 +90,7 @@ private:
     Shared registers();
     std::string operation(const Signature& signature, const std::string& parameters, Surroundings around,
                           const Callable& callable, const std::vector<Shared>& sources, Defined& defined);
-    /// Requires some of the operations; returns what the caller must have for that. Their events are the caller's too.
+    /// Requires some of the operations; returns the requirements on the caller. The caller also declares their events.
     std::vector<Shared> call_some(Lines& out, const Callable& callable, Surroundings& around);
     void declare_own(Lines& out, const Shared& need, Surroundings& around);
     std::vector<Port> operation_ports();

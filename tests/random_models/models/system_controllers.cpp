@@ -83,7 +83,7 @@ Port SystemBuilder::make_port(const std::string& name) {
     return {name, type, receives, both_ways, broadcast};
 }
 
-/// What a typed trigger receives needs a place.
+/// A typed trigger needs a variable for the received value.
 void SystemBuilder::declare_places(Lines& out, Surroundings& around) {
     for (const Port& port : around.ports)
         if (port.type != nullptr) {
@@ -123,7 +123,7 @@ SystemBuilder::Part SystemBuilder::machine(Lines& out, const Shared& variables, 
     return {known, name, around.ports};
 }
 
-/// Variables that a controller uses, for its machines to require.
+/// Variables of a controller that its machines can require.
 SystemBuilder::Shared SystemBuilder::controller_variables(Lines& out) {
     Shared shared;
     if (!shape_.shared_variables || random_.chance(60)) return shared;
@@ -138,7 +138,7 @@ SystemBuilder::Shared SystemBuilder::controller_variables(Lines& out) {
     return shared;
 }
 
-/// A second reference to what a reference brings here already.
+/// Adds a second reference to a component that is already referenced here.
 void SystemBuilder::add_instance(Lines& out, const std::string& word, std::vector<Part>& parts) {
     if (!shape_.instances || !random_.chance(30)) return;
     for (const Part& part : parts) {

@@ -1,4 +1,5 @@
-// Operations that controllers define: what they call, and what they take from those who call them. See system.hpp.
+// Operations that controllers define: the operations that they call, and the variables and clocks that they access in
+// their callers. See system.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +16,7 @@ std::vector<Port> SystemBuilder::operation_ports() {
     return ports;
 }
 
-/// Variables, constants and clocks that nobody provides but callers of operations.
+/// Variables, constants and clocks that only callers of operations provide.
 SystemBuilder::Shared SystemBuilder::registers() {
     Shared shared;
     shared.interface = names_.fresh("Registers");
@@ -39,7 +40,7 @@ SystemBuilder::Shared SystemBuilder::registers() {
     return shared;
 }
 
-/// What operations may take from their callers.
+/// The interfaces of variables and clocks that operations may require from their callers.
 std::vector<SystemBuilder::Shared> SystemBuilder::sources(const Shared& variables) {
     std::vector<Shared> sources;
     if (!variables.interface.empty()) sources.push_back(variables);
@@ -67,7 +68,7 @@ std::vector<SystemBuilder::Shared> SystemBuilder::call_some(Lines& out, const Ca
     return needs;
 }
 
-/// Members of the interface that are the caller's own, through the interface or beside it.
+/// Declares members of the interface in the caller, through the interface or directly.
 void SystemBuilder::declare_own(Lines& out, const Shared& need, Surroundings& around) {
     if (random_.chance(40)) {
         out.line("uses " + need.interface);
@@ -124,8 +125,8 @@ std::string SystemBuilder::operation(const Signature& signature, const std::stri
     return text.text();
 }
 
-/// Operations defined in a controller. Its machines, and operations that are defined later, require them through their
-/// interfaces: one for all, or one for each where operations call others.
+/// Operations defined in a controller. Its machines, and operations that are defined later, require them through
+/// interfaces: one interface for all operations, or one for each if operations call others.
 SystemBuilder::Callable SystemBuilder::controller_operations(Lines& out, const Shared& variables) {
     Callable callable;
     const std::size_t count = random_.between(shape_.defined_operations.low, shape_.defined_operations.high);

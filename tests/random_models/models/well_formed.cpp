@@ -1,4 +1,4 @@
-// Systems spread over files and packages. See well_formed.hpp.
+// Systems distributed over files and packages. See well_formed.hpp.
 #include "tests/random_models/models/well_formed.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace robochart::random_models {
 
 namespace {
 
-/// A file while systems are put into it.
+/// A file to which systems are being added.
 struct Draft {
     std::string body;
     std::set<std::size_t> imports;
@@ -27,7 +27,7 @@ bool is_part_of_name(char c) {
     return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// The text calls a function of this name. The names of models end in digits, those of toolkits do not.
+/// Whether the text calls a function with this name. Names of models end in digits; those of toolkits do not.
 bool calls(const std::string& text, const std::string& function) {
     const std::string call = function + "(";
     for (std::size_t at = text.find(call); at != std::string::npos; at = text.find(call, at + 1))
@@ -35,7 +35,7 @@ bool calls(const std::string& text, const std::string& function) {
     return false;
 }
 
-/// Imports of the functions called, or of their whole toolkits.
+/// Imports of the called functions, or of their whole toolkits.
 std::string toolkit_imports(const std::string& text, Random& random) {
     std::string out;
     std::map<std::string, bool> whole;
@@ -49,14 +49,14 @@ std::string toolkit_imports(const std::string& text, Random& random) {
     return out;
 }
 
-/// The word at a place: a name, or nothing.
+/// The name that starts at a position; "" if there is none.
 std::string word_at(const std::string& text, std::size_t at) {
     std::size_t end = at;
     while (end < text.size() && is_part_of_name(text[end])) ++end;
     return text.substr(at, end - at);
 }
 
-/// The name that a definition introduces; "" for modules and functions, which nothing refers to so.
+/// The name that a definition introduces; "" for modules and functions, which are never referenced in this way.
 std::string defined_name(const std::string& text) {
     static const std::vector<std::string> heads = {"type ",        "datatype ",  "record ",
                                                    "enumeration ", "interface ", "robotic platform ",
@@ -66,7 +66,7 @@ std::string defined_name(const std::string& text) {
     return {};
 }
 
-/// A type, an interface or what a reference stands for begins here.
+/// Whether a reference to a type, an interface or a component starts here.
 bool refers(const std::string& text, std::size_t at) {
     const auto behind = [&](std::string_view lead) {
         return at >= lead.size() && std::string_view(text).substr(at - lead.size(), lead.size()) == lead;
@@ -102,7 +102,7 @@ private:
     std::vector<Draft> drafts_;
     std::vector<std::string> packages_;
     std::string claims_;
-    std::set<std::size_t> claimed_;  ///< files whose modules the claims are about
+    std::set<std::size_t> claimed_;  ///< files with modules that have assertions
     std::size_t claim_count_ = 0;
     std::size_t lines_ = 0;
 };
@@ -120,7 +120,7 @@ std::string ProjectBuilder::comment() {
     return random_.chance(50) ? "// What follows was made at random.\n" : "/* Made at random:\n * see below. */\n";
 }
 
-/// Writes some names with the package that they are of.
+/// Qualifies some names with their package.
 std::string ProjectBuilder::qualified(const std::string& text, const std::map<std::string, std::string>& packages) {
     std::string out;
     for (std::size_t at = 0; at < text.size();) {

@@ -1,5 +1,5 @@
-// Random models that are well-formed by construction: they load without an error, whatever the seed and the shape.
-// Warnings are possible (a variable never read, an event connected to nothing).
+// Random models that are well-formed by construction: for every seed and shape they load without an error. Warnings are
+// possible (a variable that is never read, an unconnected event).
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace robochart::random_models {
 /// the same texts on every platform.
 [[nodiscard]] Project well_formed(std::uint64_t seed, const Shape& shape = Shape::whole_language());
 
-/// Modules side by side until there are about `lines` lines, spread over `files` files: for benchmarks. A module may
-/// lie in several files.
+/// Independent modules with about `lines` lines in total, distributed over `files` files, for benchmarks. A module may
+/// span several files.
 [[nodiscard]] Project sized(std::uint64_t seed, std::size_t lines, std::size_t files,
                             const Shape& shape = Shape::whole_language());
 

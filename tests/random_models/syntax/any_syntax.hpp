@@ -1,5 +1,5 @@
 // Random syntax trees that use every construct of RoboChart's grammar (language reference 1.1) and of assertion files.
-// They mean nothing: names and types are arbitrary. For parsers, printers and formatters.
+// They have no meaning: names and types are arbitrary. For parsers, printers and formatters.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,12 @@
 
 namespace robochart::random_models {
 
-/// A `.rct` file of about `size` declarations, without places. The same seed gives the same tree on every platform.
+/// A `.rct` file with about `size` declarations, without source places. The same seed gives the same tree on every
+/// platform.
 [[nodiscard]] std::unique_ptr<frontend::File> any_syntax(std::uint64_t seed, std::size_t size = 4);
 /// An `.assertions` file of about `size` members.
 [[nodiscard]] std::unique_ptr<frontend::File> any_assertions(std::uint64_t seed, std::size_t size = 4);
-/// An expression that stands alone.
+/// An expression without context.
 [[nodiscard]] frontend::ExprPtr any_expression(std::uint64_t seed, std::size_t depth = 4);
 
 }  // namespace robochart::random_models

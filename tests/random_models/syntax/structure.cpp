@@ -48,7 +48,7 @@ std::string_view word(const Words& words, Kind kind) {
     return index < words.size() ? words.at(index) : std::string_view("other");
 }
 
-/// Writes brackets.
+/// Writes bracketed text.
 class Structure {
 public:
     void file(const File& file);
@@ -113,7 +113,7 @@ void Structure::expr(const ExprPtr& owned) {
     else
         open(word(expr_words, expr.kind));
     if (!expr.text.empty()) name(expr.text);
-    if (!expr.name.empty() && expr.kind != ExprKind::member) name(expr.name);  // a member's is its text, with a place
+    if (!expr.name.empty() && expr.kind != ExprKind::member) name(expr.name);  // members store it as text and place
     if (expr.binary) add(word(operator_words, *expr.binary));
     if (expr.unary) add(*expr.unary == UnaryOp::negate ? "negate" : "not");
     if (expr.path) add(to_text(*expr.path));

@@ -1,5 +1,5 @@
-// The syntax of a tree as one text, every part in brackets: equal texts, equal trees. Shares nothing with the printer
-// of RoboChart text, so that the two can check each other. Places and resolved fields are left out.
+// The syntax tree as one text with every part in brackets: texts are equal if and only if the trees are. It shares no
+// code with the printer of RoboChart text, so each can test the other. Source places and resolved fields are omitted.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace robochart::random_models {
 
-/// One top-level part (declaration, assertion, CSP block) a line.
+/// Writes one top-level part (declaration, assertion, CSP block) per line.
 [[nodiscard]] std::string structure(const frontend::File& file);
 
 }  // namespace robochart::random_models

@@ -1,4 +1,4 @@
-// Assertion files as random syntax trees, and the doors of the syntax generator. See any_syntax.hpp.
+// Assertion files as random syntax trees, and the public functions of the syntax generator. See any_syntax.hpp.
 #include "tests/random_models/syntax/any_syntax.hpp"
 #include "tests/random_models/syntax/syntax_builder.hpp"
 
@@ -60,7 +60,7 @@ CspBlock SyntaxBuilder::csp_block() {
     return block;
 }
 
-/// What other tools read.
+/// Parts of the file that belong to other tools.
 KeptPart SyntaxBuilder::kept() {
     static const std::vector<std::string> parts = {
         "label \"ready\" = (x = 1);",

@@ -1,5 +1,5 @@
-// Builds random syntax trees (private to the component). Trees are in the form in which the parser gives them: operands
-// that bind less tightly than their place allows stand in parentheses.
+// Builds random syntax trees (private to the component). The trees have the form that the parser produces: operands
+// that bind too loosely for their position are parenthesised.
 #pragma once
 
 #include <string>
@@ -92,7 +92,7 @@ private:
     frontend::AssertionParameter assertion_parameter();
     frontend::AssertionTime time();
 
-    bool probabilistic_ = false;  ///< expressions may have the forms of probabilistic assertions
+    bool probabilistic_ = false;  ///< whether expressions may have the forms of probabilistic assertions
     Random& random_;
 };
 

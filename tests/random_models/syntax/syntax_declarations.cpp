@@ -83,7 +83,7 @@ void SyntaxBuilder::context(Context& context, bool clauses) {
 
 // ---------------------------------------------------------------- machines
 
-/// A trigger, the old form of none, or a probability.
+/// A trigger, the old form of an empty trigger, or a probability.
 void SyntaxBuilder::trigger(Transition& transition) {
     const std::size_t way = random_.below(6);
     if (way < 3) transition.trigger = communication(depth_of_expressions, true);
@@ -131,7 +131,7 @@ std::unique_ptr<Machine> SyntaxBuilder::machine(DeclKind kind) {
     auto result = std::make_unique<Machine>(kind);
     result->name = name();
     result->has_body = kind == DeclKind::state_machine;
-    if (random_.chance(5)) return result;  // with nothing in it
+    if (random_.chance(5)) return result;  // empty
     context(*result, true);
     if (kind == DeclKind::operation) {
         parameters(result->parameters);
@@ -175,7 +175,7 @@ std::unique_ptr<Connection> SyntaxBuilder::connection() {
 std::unique_ptr<Component> SyntaxBuilder::controller() {
     auto result = std::make_unique<Component>(DeclKind::controller);
     result->name = name();
-    if (random_.chance(5)) return result;  // with nothing in it
+    if (random_.chance(5)) return result;  // empty
     context(*result, true);
     for (std::size_t i = random_.below(4); i > 0; --i) {
         const std::size_t way = random_.below(4);

@@ -58,7 +58,7 @@ ExprPtr SyntaxBuilder::expression(std::size_t depth) {
     return at(quantifier_level, depth);
 }
 
-/// An expression that binds at least as tightly as `level`, in parentheses if need be.
+/// An expression that binds at least as tightly as `level`, in parentheses if necessary.
 ExprPtr SyntaxBuilder::at(int level, std::size_t depth) {
     Leveled made = any(depth);
     if (made.level >= level && !random_.chance(5)) return std::move(made.expr);
@@ -242,7 +242,7 @@ SyntaxBuilder::Leveled SyntaxBuilder::bracketed(std::size_t depth) {
     }
 }
 
-/// The function is a name or any other atom.
+/// The function is a name or another atom.
 ExprPtr SyntaxBuilder::call(std::size_t depth) {
     ExprPtr expr = make(ExprKind::call);
     ExprPtr function = random_.chance(70) ? nullptr : at(atom_level, depth);
@@ -268,7 +268,7 @@ SyntaxBuilder::Leveled SyntaxBuilder::selection(std::size_t depth) {
     return {std::move(expr), select_level};
 }
 
-/// What can be assigned: a name and steps from it.
+/// An assignable expression: a name with accesses to its parts.
 ExprPtr SyntaxBuilder::target(std::size_t depth) {
     ExprPtr expr = make(ExprKind::name);
     expr->name = qualified();

@@ -30,7 +30,7 @@ ExprPtr SyntaxBuilder::marked(const char* sign) {
     return expr;
 }
 
-/// On the steps of a path: an interval or a comparison with an atom.
+/// A bound on the steps of a path: an interval or a comparison with an atom.
 ExprPtr SyntaxBuilder::step_bound(std::string& relation) {
     static const std::vector<std::string> relations = {"<=", ">=", "<", ">"};
     if (random_.chance(50)) return nullptr;
@@ -57,7 +57,7 @@ ExprPtr SyntaxBuilder::path(std::size_t depth) {
     } else {
         ExprPtr body = expression(depth);
         const char first = to_text(*body).front();
-        if (first == '[' || first == '<') {  // it would be read as a bound
+        if (first == '[' || first == '<') {  // it would be parsed as a bound
             ExprPtr group = expr_of(ExprKind::parenthesised);
             group->args.push_back(std::move(body));
             body = std::move(group);
@@ -105,7 +105,7 @@ ExprPtr SyntaxBuilder::quantitative(std::size_t depth) {
     return expr;
 }
 
-/// One of the forms that are found in probabilistic assertions alone.
+/// A form that occurs only in probabilistic assertions.
 SyntaxBuilder::Leveled SyntaxBuilder::probabilistic(std::size_t depth) {
     static const std::vector<std::string> events = {"in", "out", "in.val", "out.val"};
     static const std::vector<const char*> signs = {"$", "$$", "#", "@", "&"};

@@ -31,7 +31,7 @@ StmtPtr SyntaxBuilder::timed(std::size_t depth) {
     return deadline;
 }
 
-/// Statements inside statements.
+/// Nested statements.
 StmtPtr SyntaxBuilder::nested(StmtKind kind, std::size_t depth) {
     StmtPtr result = make(kind);
     result->body.push_back(statement(depth));
@@ -67,7 +67,7 @@ StmtPtr SyntaxBuilder::basic(std::size_t depth) {
         case 5:
             result = make(StmtKind::wait);
             result->value = at(6, inner);
-            // `wait([m, n])` is a form of its own.
+            // `wait([m, n])` would be parsed as a wait with an interval, which is a separate form.
             if (result->value->kind == ExprKind::range) result->value->lower_closed = false;
             return result;
         case 6:

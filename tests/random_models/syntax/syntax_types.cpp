@@ -8,7 +8,7 @@ namespace robochart::random_models {
 
 using namespace frontend;
 
-/// Mostly plain; sometimes a reserved word, or a word that only some places reserve.
+/// Mostly plain names; sometimes a reserved word, or a word that is reserved only in some positions.
 std::string SyntaxBuilder::name() {
     static const std::vector<std::string> plain = {"a",   "b",   "x",     "y", "speed", "Move",     "S0", "_private",
                                                    "v_1", "nat", "Wheel", "t", "N9",    "position", "e"};

@@ -1,5 +1,5 @@
-// The generators reach every construct of the table of constructs, alone and in every composition that the table
-// shows: a construct that is new in the table and not in the generators fails here.
+// The generators produce every construct in the table of constructs, alone and in every composition in the table. The
+// test fails for a new construct of the table that the generators do not produce.
 #include "tests/frontend/syntax/constructs.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ void add_rows(const std::vector<table::Row>& rows, const table::Frame& frame, co
     }
 }
 
-/// What the rows for `.rct` files use.
+/// The features of the rows for `.rct` files.
 Features of_models() {
     Features features;
     add_rows(table::atoms(), table::as_guard, "t.rct", features);
@@ -56,7 +56,7 @@ TEST(Constructs, AnyAssertionsReachTheTable) {
     EXPECT_EQ(lacking(wanted.compositions, made.compositions), "");
 }
 
-/// What the table shows and no model without errors has.
+/// Features in the table that no model without errors has.
 const std::map<std::string, std::string>& never_well_formed() {
     static const std::map<std::string, std::string> reasons = {
         {"controller/0", "C1: at least one machine"},
@@ -68,7 +68,8 @@ const std::map<std::string, std::string>& never_well_formed() {
     return reasons;
 }
 
-/// Declarations, for which every composition of the table is made. In expressions there are too many to wait for.
+/// Whether a composition is one of declarations, of which all must be generated. Expressions have too many
+/// compositions.
 bool declares(const std::string& composition) {
     static const std::set<std::string> owners = {"clauses",   "controller", "enumeration", "function-declaration",
                                                  "interface", "literal",    "module",      "operation",

@@ -1,4 +1,4 @@
-// The generator of syntax reaches every construct of the grammar, with and without its optional parts.
+// The syntax generator produces every construct of the grammar, with and without its optional parts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t tried = 400;
 
-/// How often each word of `structure` occurs: names stand in backquotes and do not count.
+/// The frequency of each word in the output of `structure`; names are in backquotes and not counted.
 std::map<std::string, std::size_t> words_of(const std::string& text) {
     static const std::regex quoted("`[^`]*`|«[^»]*»");
     static const std::regex word("[A-Za-z0-9-]+");

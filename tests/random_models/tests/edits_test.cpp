@@ -1,5 +1,5 @@
-// Random models and random edits of them: with the answers of earlier runs at hand all answers are those of a run that
-// knows nothing. ROBOCHART_SEEDS=N tries N models, ten edits each.
+// Random models and random edits of them: with cached answers of earlier runs, all answers equal those of a run without
+// a cache. ROBOCHART_SEEDS=N tries N models with ten edits each.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace robochart::random_models {
 namespace {
 
-/// All that is said of a script's assertions, a line each, and how many answers were known.
+/// The complete answers to a script's assertions, one per line, and the number of cached ones.
 struct Answers {
     std::vector<std::string> lines;
     std::size_t known = 0;
@@ -37,7 +37,7 @@ std::string line(const refine::Verdict& verdict, const process::EventTable& even
     return text;
 }
 
-/// Nothing where the model is refused.
+/// Returns nullopt if the model is rejected.
 std::optional<Answers> answers(const Project& project, csp_emit::Time time, diagnostics::Cache* cache) {
     const auto loaded = load(project);
     diagnostics::Diagnostics findings;
@@ -68,7 +68,7 @@ std::optional<Answers> answers(const Project& project, csp_emit::Time time, diag
     return result;
 }
 
-/// How many of the edits were compared, and how many of their answers were known.
+/// The number of compared edits, and the number of their answers that were cached.
 struct Comparisons {
     std::size_t edits = 0;
     std::size_t answers = 0;

@@ -8,7 +8,7 @@ namespace robochart::random_models {
 
 namespace {
 
-/// `(head mark mark (child) ...)`; names only say whether they are qualified.
+/// `(head mark mark (child) ...)`; for names only whether they are qualified.
 struct Node {
     std::string head;
     std::set<std::string> marks;
@@ -42,7 +42,7 @@ public:
     }
 
 private:
-    /// A word, or what is to be known of a name or number; "" for plain names, whose choice is free.
+    /// A word, or the relevant property of a name or number; "" for plain names, which are arbitrary.
     std::string word() {
         if (text_.substr(at_).starts_with("`")) return quoted("`").find("::") != std::string_view::npos ? "A::B" : "";
         if (text_.substr(at_).starts_with("«")) return quoted("»"), "";

@@ -1,4 +1,5 @@
-// What a text of the language uses, read off the structure of its tree: the measure for what the generators reach.
+// The language features that a text uses, derived from the structure of its tree, to measure the coverage of the
+// generators.
 #pragma once
 
 #include <set>
@@ -6,19 +7,19 @@
 
 namespace robochart::random_models {
 
-/// Features of trees, as words: each is there or not.
+/// Features of trees, as words.
 struct Features {
-    /// Kinds of nodes, each with every mark that it may bear (`event: broadcast`), with parts and without
-    /// (`literal/+`, `set/0` for `{}`), and with the parts that it lacks (`exists -+` without `|`).
+    /// Kinds of nodes, with every mark that they may have (`event: broadcast`), with and without parts (`literal/+`,
+    /// `set/0` for `{}`), and with their missing parts (`exists -+` without `|`).
     std::set<std::string> constructs;
-    /// Which kind stands directly in which (`wait > range`), and marks that come together.
+    /// Pairs of a kind and a kind directly inside it (`wait > range`), and marks that occur together.
     std::set<std::string> compositions;
 };
 
-/// Adds the features of what `structure` wrote.
+/// Adds the features of an output of `structure`.
 void add_features(const std::string& structure, Features& features);
 
-/// The words of the first set that the second lacks, a line each.
+/// The words of the first set that are missing in the second, one per line.
 [[nodiscard]] std::string lacking(const std::set<std::string>& wanted, const std::set<std::string>& found);
 
 }  // namespace robochart::random_models

@@ -1,5 +1,5 @@
-// What must not change anything: the order of files and declarations, formatting; and what must not crash anything:
-// damaged texts.
+// The order of files and declarations and the formatting do not change the results, and damaged texts do not cause
+// crashes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ void shuffle(Items& items, Random& random) {
     for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[random.below(i)]);
 }
 
-/// The same project with its files and the declarations in them in another order.
+/// The same project with its files, and the declarations in them, in another order.
 Project reordered(const Project& project, Random& random) {
     const auto read = parse(project);
     Project result;
@@ -96,7 +96,7 @@ TEST(Invariance, FormattingKeepsModelsAndIsIdempotent) {
         }
 }
 
-/// Drops, doubles, swaps or replaces words.
+/// Removes, duplicates, swaps or replaces words.
 std::string damaged(const Text& file, Random& random) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;
@@ -118,7 +118,7 @@ std::string damaged(const Text& file, Random& random) {
     return out;
 }
 
-/// Whatever is found: no crash, no hang, and findings whenever the text is no model any more.
+/// For any damage the front end must not crash or hang, and must report findings if the text is no longer a model.
 TEST(Invariance, DamagedTextsAreReadToTheEnd) {
     for (const std::uint64_t seed : seeds(300)) {
         Random random(seed);

@@ -1,4 +1,4 @@
-// Parse-print-parse: what is printed reads back as an equal tree, over random syntax and random models.
+// Printed text parses to an equal tree, for random syntax and random models.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -41,7 +41,7 @@ TEST(RoundTrip, AnyAssertionsReadBackAsAnEqualTree) {
     }
 }
 
-/// The project as it is after reading and printing.
+/// The project after parsing and printing.
 Project printed(const Project& project) {
     const auto read = parse(project);
     Project result;

@@ -1,4 +1,4 @@
-// How many seeds a property is tried with: few by default, ROBOCHART_SEEDS=N for a long run by hand.
+// The number of seeds for each property: few by default, ROBOCHART_SEEDS=N for a long run by hand.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,12 @@
 
 namespace robochart::random_models {
 
-/// Whether ROBOCHART_SEEDS asks for a long run: then nothing is left out.
+/// Whether ROBOCHART_SEEDS requests a long run, which omits nothing.
 inline bool is_long_run() {
     return std::getenv("ROBOCHART_SEEDS") != nullptr;
 }
 
-/// The seeds from `first` on; as many as asked for (fewer under AddressSanitizer), or as ROBOCHART_SEEDS says, from
-/// ROBOCHART_FIRST_SEED on.
+/// `count` seeds from `first` on (fewer under AddressSanitizer), or ROBOCHART_SEEDS seeds from ROBOCHART_FIRST_SEED on.
 inline std::vector<std::uint64_t> seeds(std::uint64_t count, std::uint64_t first = 0) {
     const char* wanted = std::getenv("ROBOCHART_SEEDS");
     const char* from = std::getenv("ROBOCHART_FIRST_SEED");

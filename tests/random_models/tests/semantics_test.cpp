@@ -1,4 +1,5 @@
-// Random models through the components after the front end: each either takes a model or says by name why not.
+// Random models in the components after the front end: each component either accepts a model or rejects it with a named
+// rule.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -18,15 +19,15 @@
 namespace robochart::random_models {
 namespace {
 
-/// How far models got.
+/// The number of models that reached each stage.
 struct Tally {
     std::size_t models = 0;
     std::size_t emitted = 0;
-    std::map<std::string, std::size_t> refusals;  ///< models by the code that refuses them
+    std::map<std::string, std::size_t> refusals;  ///< number of models by the code that rejects them
 };
 
-/// What is printed for FDR reads back as the script that we check, and our type checker, whose rules are FDR's, takes
-/// it.
+/// The script printed for FDR parses to the script that we check, and our type checker, which follows FDR's rules,
+/// accepts it.
 void expect_script_reads_back(Loaded& loaded, const cspm::Script& script, std::uint64_t seed) {
     const std::string text = cspm::print(script);
     diagnostics::Diagnostics findings;
@@ -38,7 +39,7 @@ void expect_script_reads_back(Loaded& loaded, const cspm::Script& script, std::u
     ASSERT_TRUE(findings.ok()) << "seed " << seed << "\n" << diagnostics::render_text(loaded.sources, findings);
 }
 
-/// Code and words of a refusal, without the names of the model.
+/// Code and message of a rejection, without the names of the model.
 std::string cause(const diagnostics::Diagnostic& finding) {
     std::string text = std::string(finding.rule->code);
     const bool construct = !finding.arguments.empty() && finding.rule->code == std::string_view("RC-S01");
@@ -83,7 +84,7 @@ Tally pass_all_through(const Shape& shape, csp_emit::Time time, std::uint64_t co
     return tally;
 }
 
-/// The cores are there so that later phases can take them: few models may be refused.
+/// The core shapes exist so that later phases accept most of their models.
 TEST(Semantics, TakesTheUntimedCore) {
     const Tally tally = pass_all_through(Shape::untimed_core(), csp_emit::Time::untimed, 60);
     EXPECT_GE(tally.emitted * 10, tally.models * 9);
@@ -94,13 +95,13 @@ TEST(Semantics, TakesTheTimedCore) {
     EXPECT_GE(tally.emitted * 10, tally.models * 9);
 }
 
-/// `scripts/random_scripts.sh` tries a thousand models. From seed 2, as below: the model of seed 1 has more than 20,000
-/// configurations, half a minute each time.
+/// `scripts/random_scripts.sh` tries a thousand models. The test starts with seed 2, because the model of seed 1 has
+/// more than 20,000 configurations and takes half a minute each time.
 TEST(Semantics, TakesOrRefusesTheWholeLanguageByName) {
     pass_all_through(Shape::whole_language(), csp_emit::Time::timed, 10, 2);
 }
 
-/// Broadcast events have no published semantics; everything else is to be taken.
+/// Broadcast events have no published semantics; all other constructs must be accepted.
 TEST(Semantics, TakesTheLanguageWithoutBroadcast) {
     Shape shape = Shape::whole_language();
     shape.broadcast = false;

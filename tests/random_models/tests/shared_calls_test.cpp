@@ -1,5 +1,5 @@
-// Machines of random models whose calls share the definitions of operations, against the same machines with every call
-// in its caller's place: they refine each other in the failures-divergences model (semantics 3.8).
+// Machines of random models with shared definitions of operations, compared with the same machines with every call
+// inlined: they refine each other in the failures-divergences model (semantics 3.8).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,8 +24,8 @@ using cspm::DeclKind;
 /// A machine of the script that runs in a controller.
 struct Machine {
     std::string path;
-    std::vector<std::string> parameters;  ///< of its processes
-    std::vector<std::string> channels;    ///< that are seen outside, and those of the modules around it
+    std::vector<std::string> parameters;  ///< parameters of its processes
+    std::vector<std::string> channels;    ///< visible channels, and those of the enclosing modules
 };
 
 bool inner(const std::string& channel) {
@@ -34,7 +34,7 @@ bool inner(const std::string& channel) {
            starts("get_") || starts("setL_");
 }
 
-/// `outer`: the channels of the modules around, qualified.
+/// `outer`: the qualified channels of the enclosing modules.
 void collect(const std::vector<cspm::DeclPtr>& decls, const std::string& path, std::vector<std::string> outer,
              std::vector<Machine>& machines) {
     const std::string prefix = path.empty() ? "" : path + "::";
@@ -57,7 +57,7 @@ std::set<std::string> values_at_top(const cspm::Script& script) {
     return result;
 }
 
-/// Refinement both ways, between `D__` of the machine and its twin in the module `inline__`.
+/// Refinement in both directions between `D__` of the machine and its copy in the module `inline__`.
 std::vector<cspm::DeclPtr> claims(const Machine& machine) {
     b::Exprs arguments{b::number(0)};
     for (std::size_t i = 1; i < machine.parameters.size(); ++i) arguments.push_back(b::name(machine.parameters[i]));

@@ -1,4 +1,4 @@
-// A rule broken on purpose in a random well-formed model is found, and nothing else is.
+// A rule that is violated on purpose in a random well-formed model is reported, and no other finding is.
 #include <gtest/gtest.h>
 
 #include <cstdint>

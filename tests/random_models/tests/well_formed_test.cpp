@@ -1,4 +1,4 @@
-// Random well-formed models load without an error, whatever the seed and the shape.
+// Random well-formed models load without an error for every seed and shape.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ TEST(WellFormed, HostileWordsMakeNoErrors) {
     expect_no_errors(Shape::with_hostile_words(), 300);
 }
 
-/// The syntax of many models of a shape.
+/// The structures of many models of a shape.
 std::string syntax_of(const Shape& shape) {
     std::string all;
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
@@ -135,7 +135,7 @@ TEST(WellFormed, TheSameSeedGivesTheSameProject) {
 
 TEST(WellFormed, SizedProjectsHaveTheSizeAskedFor) {
     const Project project = sized(3, 5000, 20);
-    EXPECT_EQ(project.size(), 21U);  // and the claims
+    EXPECT_EQ(project.size(), 21U);  // and the assertion file
     EXPECT_GE(lines(project), 5000U);
     EXPECT_LE(lines(project), 8000U);
     EXPECT_EQ(load(project)->findings.errors(), 0U);
