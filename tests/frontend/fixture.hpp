@@ -1,4 +1,4 @@
-// Reading model text in tests.
+// Parses and resolves model text for tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,16 +19,16 @@ namespace robochart::frontend::testing {
 
 using tests::contents;
 
-/// A text read, with all that belongs to it.
+/// A parsed text with its model, sources and findings.
 struct Reading {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;
     Model model;
 
-    /// What was found, as people see it.
+    /// The findings in readable form.
     [[nodiscard]] std::string report() const { return diagnostics::render_text(sources, findings); }
     [[nodiscard]] std::string dumped(bool resolved = false) const { return dump(model, sources, resolved); }
-    /// "CODE@line" of each finding in order, joined by blanks.
+    /// "CODE@line" of each finding, in order and joined by blanks.
     [[nodiscard]] std::string codes() const {
         std::string out;
         for (const auto& d : findings.sorted()) {
@@ -48,7 +48,7 @@ inline std::unique_ptr<Reading> read(std::string text, bool is_assertions = fals
     return reading;
 }
 
-/// Parses and resolves, with the toolkits that are imported.
+/// Parses and resolves, with the imported toolkits.
 inline std::unique_ptr<Reading> resolved(std::string text, bool is_assertions = false) {
     auto reading = read(std::move(text), is_assertions);
     add_toolkits(reading->sources, reading->model, reading->findings);

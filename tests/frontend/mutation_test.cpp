@@ -1,5 +1,5 @@
-// One mistake, one message: every word of real models is left out, doubled by a stranger or replaced by one, and the
-// errors counted, those of resolution included.
+// One mistake, one message: every word of real models is omitted, preceded by an unrelated word, or replaced by one.
+// The test counts the errors, including those of resolution.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -66,7 +66,7 @@ TEST(Mutations, GiveOneMessageOrTwo) {
         const TokenStream stream = tokenize(sources, source, false, ignored);
         for (const Token& token : stream.tokens) {
             if (token.kind == TokenKind::end) break;
-            // A name put for another is no mistake of syntax, and may be wrong in as many places as it is used.
+            // A name that replaces another is no syntax error, and may cause an error at each use.
             const std::string place = path.filename().string() + ":" +
                                       std::to_string(sources.position(source, token.span.begin).line) + " `" +
                                       std::string(token.text) + "`";
@@ -87,13 +87,13 @@ TEST(Mutations, GiveOneMessageOrTwo) {
                     count.mutations, 100 * count.share(count.above_one), 100 * count.share(count.above_two), count.most,
                     count.worst.c_str());
         EXPECT_LE(count.share(count.above_two), 0.025) << name;
-        // Where the name of a state or an event is lost, the five places that use it are wrong too.
+        // If the name of a state or an event is lost, its five uses cause errors too.
         EXPECT_LE(count.most, 7U) << name << ": " << count.worst << "\n" << count.report;
     }
     EXPECT_GT(deleted.mutations, 500U);
 }
 
-/// What is wrong elsewhere is still found.
+/// Mistakes elsewhere in the text are still reported.
 TEST(Mutations, DoNotHideOtherMistakes) {
     for (const char* mistake : {"interface J { event e : }", "stm A { state s { entry = } initial i }", "type",
                                 "} type B", "stm { initial i }", "interface J { var v nat }",

@@ -1,5 +1,5 @@
-// The public models beside the repository: those to be accepted load without an error, those to be refused are refused
-// for their reason. Skipped where the material is absent.
+// The public models next to the repository: valid models load without an error, and invalid ones are rejected for the
+// right reason. The test is skipped if the material is absent.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -57,8 +57,8 @@ TEST(Suite, LoadsTheBenchmarkModels) {
         if (path.extension() == ".rct" && fs::file_size(path) > 1) expect_loads(path);
 }
 
-/// The reasons of EXPECTED.tsv under our codes: an operation that is not required, an end of a connection against the
-/// machine's traffic (twice), transitions across the border of a state (two ends).
+/// The reasons of EXPECTED.tsv as our codes: an operation that is not required, a connection in the wrong direction for
+/// a machine (twice), transitions across the border of a state (two ends).
 TEST(Suite, RefusesWhatRoboToolRefuses) {
     NEED_SHARED(shared);
     const std::map<std::string, std::vector<std::string>> reasons = {{"opcall-scope-fail", {"RC-N01"}},
@@ -86,7 +86,7 @@ TEST(Suite, LoadsTheCorpus) {
     }
 }
 
-/// Cutting a model anywhere gives diagnostics or a model, never a crash; whatever is left reads the same twice.
+/// A model that is truncated anywhere gives diagnostics or a model, never a crash, and two parses give the same result.
 TEST(Suite, SurvivesTruncationAnywhere) {
     NEED_SHARED(shared);
     std::size_t cuts = 0;
@@ -103,7 +103,7 @@ TEST(Suite, SurvivesTruncationAnywhere) {
     EXPECT_GT(cuts, 100U);
 }
 
-/// So does leaving out a piece in the middle.
+/// The same for texts with a piece removed in the middle.
 TEST(Suite, SurvivesHoles) {
     NEED_SHARED(shared);
     for (const auto& entry : fs::recursive_directory_iterator(shared / "suite/robotool/accept")) {

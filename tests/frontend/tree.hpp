@@ -1,5 +1,5 @@
-// The shape of a syntax tree as nested brackets, `(kind part …)`: independent of the printer, so that precedence and
-// every field show in tests.
+// The shape of a syntax tree as nested brackets, `(kind part …)`. It is independent of the printer, so tests show
+// precedence and every field.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace robochart::frontend::testing {
 
-/// `_` stands for a part that is absent.
+/// `_` stands for an absent part.
 [[nodiscard]] std::string tree(const Expr& expr);
 [[nodiscard]] std::string tree(const TypeExpr& type);
 [[nodiscard]] std::string tree(const Stmt& statement);

@@ -1,6 +1,6 @@
-// The decision process against what it is made of: it is branching bisimilar to the process that is checked for
-// refinement (ProcessEncoding throws std::logic_error where it is not), and what a scheduler of fewer ways can do lies
-// within what all can.
+// The decision process compared with its sources. It is branching bisimilar to the process that is checked for
+// refinement (otherwise ProcessEncoding throws std::logic_error). The values of a restricted class of schedulers are
+// within the bounds for all schedulers.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace {
 using prism::Rational;
 using testing::robotool;
 
-/// The least and the greatest value of rows with one of each; nothing where they are not known.
+/// The minimum and the maximum of rows with one value each; nullopt if a value is unknown.
 std::optional<std::pair<Rational, Rational>> bounds(const std::vector<Row>& rows) {
     if (rows.size() != 1 || !rows.front().error.empty()) return std::nullopt;
     for (const prism::Result& each : rows.front().results)
@@ -28,7 +28,7 @@ std::optional<std::pair<Rational, Rational>> bounds(const std::vector<Row>& rows
     return std::pair(rows.front().results.front().low.value(), rows.front().results.back().low.value());
 }
 
-/// Small models with chances, in time.
+/// Small timed models with probabilities.
 random_models::Shape small_models() {
     random_models::Shape shape = random_models::Shape::timed_core();
     shape.probabilistic = true;
@@ -47,7 +47,8 @@ std::map<std::string, std::string> texts(std::uint64_t seed, const random_models
     return files;
 }
 
-/// An event that a machine of the first module communicates on, as rewards name it: "M::c::s::e.in"; "": there is none.
+/// An event on which a machine of the first module communicates, in the notation of rewards: "M::c::s::e.in"; "": there
+/// is none.
 std::string some_event(const ir::System& system) {
     if (system.modules.empty()) return "";
     ir::ComponentRef module;
@@ -61,9 +62,9 @@ std::string some_event(const ir::System& system) {
     return "";
 }
 
-/// Each process is compared with the one that is checked for refinement, also with an observer of an event in it.
-/// Not every model has an answer: probabilities of random expressions need not sum to 1, and some are too large.
-/// scripts/random_probability.sh tries many more.
+/// Each process is compared with the one that is checked for refinement, also with an observer of one of its events.
+/// Some models have no answer: probabilities given by random expressions need not sum to 1, and some models are too
+/// large. scripts/random_probability.sh tries many more.
 TEST(Agreement, OfRandomModels) {
     std::size_t answered = 0;
     std::size_t rewarded = 0;
@@ -103,8 +104,8 @@ TEST(Agreement, OfRandomModels) {
     EXPECT_GT(rewarded, 0u);
 }
 
-/// The bracket theorem: a chain resolves every choice of the same text, read as a decision process, by a scheduler.
-/// Many models have no counterpart in RoboTool's encoding.
+/// The bracket theorem: a Markov chain resolves every choice of the same text, read as a decision process, by one
+/// scheduler. Many models have no counterpart in RoboTool's encoding.
 TEST(Agreement, TheChainLiesBetweenTheSchedulers) {
     random_models::Shape shape = random_models::Shape::untimed_core();
     shape.probabilistic = true;
@@ -154,7 +155,7 @@ DecisionProcess fork(bool whole) {
     model.numbers = {{1, 1}, {0.5, 0.5}};
     model.exact = {Rational(1), Rational(1, 2)};
     model.actions = {"", "tock", "loop"};
-    // State 0: half to 1, half to 2; in the whole one also tock back to 0. States 1 and 2 stay.
+    // State 0: half to 1, half to 2; in the whole process also tock back to 0. States 1 and 2 are absorbing.
     model.target = {1, 2};
     model.number = {1, 1};
     model.first_branch = {0, 2};
@@ -202,8 +203,8 @@ TEST(Agreement, OfSubgraphs) {
     EXPECT_FALSE(part(other));
 }
 
-/// The decision process of the first component of each model, urgent steps among all steps: ProcessEncoding throws
-/// std::logic_error where they are not.
+/// The decision process of the first component of each model. Urgent steps must be among all steps; otherwise
+/// ProcessEncoding throws std::logic_error.
 TEST(Agreement, OfTheCorpus) {
     std::size_t compared_models = 0;
     for (const auto& folder : std::filesystem::directory_iterator(tests::source_folder() / "corpus")) {
@@ -233,10 +234,11 @@ TEST(Agreement, OfTheForager) {
                         "prob property Q : Prob=? of [Finally <=30 foraging::Robot::brain::forager is in "
                         "foraging::Forager::Homing]"}});
     std::uint64_t compared = 0;
-    // It rests for 5 units and leaves with 0.25: twice within 10.
+    // It rests for 5 units and leaves with probability 0.25: twice within 10.
     EXPECT_EQ(testing::text(testing::process(*loaded, "P", Scheduler::any, &compared)), "0.4375 to 0.4375");
     EXPECT_GT(compared, 30u);
-    // Without food it searches for 20 units and has to leave after two rests; with food at once six are enough.
+    // Without food it searches for 20 units and has to leave after two rests; with food immediately, six units are
+    // enough.
     EXPECT_EQ(testing::text(testing::process(*loaded, "Q", Scheduler::any)), "0.4375 to 3367/4096");
     EXPECT_EQ(testing::text(testing::process(*loaded, "Q", Scheduler::urgent)), "0.4375 to 3367/4096");
 }

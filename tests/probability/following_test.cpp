@@ -1,4 +1,4 @@
-// Which states of a machine may follow which in time, worked out by hand.
+// The possible successors of a machine's states after some time, computed by hand.
 #include "probability/process/following.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace robochart::probability {
 namespace {
 
-/// Two time units in A, then B at once, and from there to C whenever somebody asks for it.
+/// Two time units in A, then B immediately, and from B to C on request.
 const char* const machine =
     "stm S { event go initial i state A { entry wait(2) } state B { } state C { } transition t0 { from i to A } "
     "transition t1 { from A to B } transition t2 { from B to C trigger go } }";
@@ -36,7 +36,7 @@ constexpr std::uint32_t a = 1;
 constexpr std::uint32_t b = 2;
 constexpr std::uint32_t c = 4;
 
-/// The first two time units pass in A, the third in B, or in C if somebody asks at once.
+/// The first two time units pass in A, the third in B, or in C after an immediate request.
 TEST(Following, OneTimeUnit) {
     const Following one = found(machine, {"A", "B", "C"}, 1);
     EXPECT_EQ(one.classes, (std::vector<std::uint32_t>{none, a, b, c}));
@@ -51,7 +51,7 @@ TEST(Following, OneTimeUnit) {
         EXPECT_FALSE(may(one, from, to)) << from << " " << to;
 }
 
-/// Nobody is in A three time units later, and who has not begun is in A after two.
+/// Three time units later the machine is not in A; two time units after the start it still is.
 TEST(Following, SeveralTimeUnits) {
     const Following two = found(machine, {"A", "B", "C"}, 2);
     EXPECT_TRUE(may(two, none, a));
@@ -63,12 +63,12 @@ TEST(Following, SeveralTimeUnits) {
     EXPECT_TRUE(may(three, none, c));
     EXPECT_FALSE(may(three, a, a));
     EXPECT_TRUE(may(three, a, c));
-    // After a thousand as after three.
+    // The result after a thousand units equals that after three.
     EXPECT_FALSE(may(found(machine, {"A", "B", "C"}, 1000), b, a));
     EXPECT_TRUE(may(found(machine, {"A", "B", "C"}, 1000), b, b));
 }
 
-/// States that are not asked for are one class.
+/// States that the query does not name form one class.
 TEST(Following, OfSomeStates) {
     const Following only = found(machine, {"C"}, 1);
     EXPECT_EQ(only.classes, (std::vector<std::uint32_t>{none, 1}));
@@ -77,7 +77,7 @@ TEST(Following, OfSomeStates) {
     EXPECT_THROW((void)found(machine, {"Nowhere"}, 1), Wrong);
 }
 
-/// A robot in a state inside another one is in both.
+/// A robot in a nested state is in both states.
 TEST(Following, StatesInside) {
     const std::string nested =
         "stm S { initial i state Outer { initial j state In { entry wait(1) } state Out { } transition u0 { from j to "
@@ -99,7 +99,7 @@ std::string why_not(const std::string& model, const std::vector<std::string>& st
     return "";
 }
 
-/// Code goes on where the process ends.
+/// Code may continue where the process has terminated.
 TEST(Following, NothingOfWhatMayTerminate) {
     const std::string ends =
         "stm S { event go initial i state A { } final f transition t0 { from i to A } "
@@ -107,7 +107,7 @@ TEST(Following, NothingOfWhatMayTerminate) {
     EXPECT_NE(why_not(ends, {"A"}), "");
 }
 
-/// Nothing follows where time stops: what takes two time units has to end within one.
+/// There is no answer if time can stop: an action of two time units has a deadline of one.
 TEST(Following, NothingWhereTimeStops) {
     const auto model = [](const std::string& entry) {
         return "stm S { event go initial i state A { } state B { entry " + entry + " } " +
@@ -117,8 +117,8 @@ TEST(Following, NothingWhereTimeStops) {
     EXPECT_NE(why_not(model("wait(2) <{ 1 }"), {"A"}), "");
 }
 
-/// Code shows the source of a transition while time passes in its action, or in an exit action; the process has left
-/// it.
+/// While time passes in the action or exit action of a transition, the code shows the source state, which the process
+/// has left.
 TEST(Following, NothingWhereTimePassesInATransition) {
     const auto model = [](const std::string& exit, const std::string& action) {
         return "stm S { event go initial i state A { " + exit + " } state B { } transition t0 { from i to A } " +
@@ -129,7 +129,7 @@ TEST(Following, NothingWhereTimePassesInATransition) {
     EXPECT_NE(why_not(model("exit wait(1)", ""), {"A"}), "");
 }
 
-/// No more than 2 is ever received by default.
+/// By default, no received value is greater than 2.
 TEST(Following, NothingWhereValuesAreLeftOut) {
     const auto model = [](const std::string& type, const std::string& guard) {
         return "stm S { event far : " + type + " var d : " + type + " initial i state A { } state B { } " +

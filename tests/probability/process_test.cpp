@@ -1,5 +1,5 @@
-// Probabilistic assertions decided on the timed CSP semantics. The models are so small that their values are worked out
-// by hand; each says how.
+// Probabilistic assertions decided on the timed CSP semantics. The models are small enough to compute their values by
+// hand; comments show how.
 #include <gtest/gtest.h>
 
 #include "tests/probability/models.hpp"
@@ -15,7 +15,7 @@ std::string decided(const std::string& model, const std::string& assertions, Sch
     const auto loaded = load({{"m.rct", model}, {"m.assertions", assertions}});
     std::uint64_t compared = 0;
     const auto rows = process(*loaded, "P", scheduler, &compared);
-    // Every model here is small enough to be compared with the process that is checked for refinement.
+    // Every model here is small enough for the comparison with the process that is checked for refinement.
     const bool answered = !rows.empty() && rows.front().error.empty();
     EXPECT_TRUE(!answered || compared > 0);
     return text(rows);
@@ -48,8 +48,8 @@ TEST(Process, ACoinThatIsThrownAtOnce) {
     EXPECT_EQ(decided(coin, property("Prob=? of [Finally deadlock]")), "1 to 1") << "nothing leaves A and B";
 }
 
-/// Nobody has to press: the least probability is that of a platform that never does. Where all steps are equally likely
-/// somebody does in the end.
+/// The platform need not press: the minimum belongs to a platform that never does. If all steps are equally likely, it
+/// finally presses.
 TEST(Process, AnInputNeedNotCome) {
     const std::string coin = thrower("trigger go", coin_ways);
     const std::string asked = property("Prob=? of [Finally S is in S::A]");
@@ -58,7 +58,7 @@ TEST(Process, AnInputNeedNotCome) {
     EXPECT_EQ(decided(coin, asked, Scheduler::uniform), "0.25");
 }
 
-/// p to A, q to B, else again: p / (p + q).
+/// p to A, q to B, otherwise again: p / (p + q).
 TEST(Process, ALoopThatTriesAgain) {
     const std::string loop = thrower("",
                                      "transition a { from p to A probability 0.2 } "
@@ -68,7 +68,8 @@ TEST(Process, ALoopThatTriesAgain) {
     EXPECT_EQ(decided(loop, property("Prob=? of [Globally not S is in S::B]")), "0.4 to 0.4");
 }
 
-/// A throw at once and one in each time unit: done after n units with probability 1 - 0.5^(n+1), after 1 on average.
+/// The first throw is immediate, then there is one in each time unit: done after n units with probability 1 -
+/// 0.5^(n+1), after 1 on average.
 TEST(Process, TimeIsCountedInTocks) {
     const std::string geometric = thrower("",
                                           "transition a { from p to A probability 0.5 } "
@@ -97,7 +98,7 @@ TEST(Process, TimeIsCountedInTocks) {
               "not decided: X is about one step, and steps are not counted in this model");
 }
 
-/// A coin in each time unit: nothing is missed by counting fewer than 10^9 of them, and an eighth never comes.
+/// A coin in each time unit: a bound of 10^9 units misses nothing, and with probability 1/8 the event never occurs.
 TEST(Process, LongTimesNeedNotBeCounted) {
     const auto decide = [](const std::string& of) {
         const auto loaded =
@@ -124,8 +125,8 @@ TEST(Process, LongTimesNeedNotBeCounted) {
         << "it is above 0.5 by less than an interval shows";
 }
 
-/// Two machines throw a coin at the same time. Whether the first is done and the second not depends on who is first:
-/// 0.5 where the first is, else 0.5 * 0.5.
+/// Two machines throw a coin at the same time. Whether the first is done and the second is not depends on the order:
+/// 0.5 if the first throws first, otherwise 0.5 * 0.5.
 TEST(Process, ARaceIsOpen) {
     const std::string race =
         "stm S { initial i state Ready { entry wait(1) } state A { } state B { } probabilistic p "
@@ -138,7 +139,7 @@ TEST(Process, ARaceIsOpen) {
     EXPECT_EQ(decided(race, property("Prob=? of [Finally C::one is in S::A /\\ C::two is in S::A]")), "0.25 to 0.25");
 }
 
-/// x is read by nothing but the probabilities, so the processes that are checked for refinement do not hold it.
+/// Only probabilities read x, so the processes that are checked for refinement do not store it.
 TEST(Process, ProbabilitiesReadVariables) {
     const std::string learning = thrower("",
                                          "transition a { from p to A probability if x == 0 then 0.5 else 1 - 0 end } "
@@ -151,7 +152,7 @@ TEST(Process, ProbabilitiesReadVariables) {
     EXPECT_EQ(decided(learning, property("Prob=? of [Finally S::x > 1]")), "0 to 0");
 }
 
-/// Of an operation its parameters, its variables and those of its caller: nothing else reads them.
+/// Only probabilities read the parameters and variables of the operation and the variables of its caller.
 TEST(Process, ProbabilitiesInOperationsReadVariables) {
     const std::string model =
         "interface I { toss(q : real, n : nat) } interface V { var k : nat = 1 } "
@@ -167,8 +168,8 @@ TEST(Process, ProbabilitiesInOperationsReadVariables) {
         "transition t2 { from Again to Heads condition k == 1 } transition t3 { from Again to Tails condition k == 0 } "
         "} "
         "controller C { opref toss = toss sref s = S }";
-    // The first throw: m = 1 = k, so A with 0.5 and k stays 1; B makes k = 0. Then m = 0: after A, m != k, A with 0.2;
-    // after B, m == k, A with 0.4, but k stays 0.
+    // The first throw: m = 1 = k, so A with 0.5 and k stays 1; B sets k = 0. Then m = 0: after A, m != k, so A with
+    // 0.2; after B, m == k, so A with 0.4, but k stays 0.
     EXPECT_EQ(decided(model, property("Prob=? of [Finally C::s is in S::Heads]")), "0.1 to 0.1");
     EXPECT_EQ(decided(model, property("Prob=? of [Finally C::s is in S::Tails]")), "0.9 to 0.9");
 }
@@ -237,8 +238,8 @@ TEST(Process, OfAModule) {
     EXPECT_EQ(asked("Prob=? of [Finally World::mind::walker::steps > 1]"), "0 to 0");
 }
 
-/// A throw at once and one in each time unit, each of them announced: 1 / 0.5 throws until A on average, and the event
-/// says which throw was the last.
+/// The first throw is immediate, then there is one in each time unit. Each throw is announced: 1 / 0.5 throws until A
+/// on average, and the event contains the result of the last throw.
 const char* const announced = R"(
 	stm S {
 		event said : nat
@@ -281,8 +282,9 @@ TEST(Process, ValuesOfEventsAreAskedFor) {
         << "0 only before the first";
 }
 
-/// Two machines throw when the platform asks one of them. What one of them did is said apart from what the platform
-/// did, though the process has one event for both; an event inside happens for both ends at once.
+/// Two machines, one of which throws when the platform requests it. Rewards distinguish events of the platform from
+/// events of a machine, although the process has one event for both. An internal event occurs at both of its ends at
+/// the same time.
 const char* const pair_text = R"(
 	robotic platform Table { event go }
 	stm Thrower {
@@ -329,7 +331,7 @@ TEST(Process, EventsInsideAModuleAreRewarded) {
     EXPECT_EQ(earned("[Game::hands::one::heads.out] true : 1; [Game::hands::ear::heads.in] true : 3;"), "4");
 }
 
-/// Of a module that ends, the observer ends too; events whose names are words of CSPM have others there.
+/// If the module terminates, so does the observer. Events whose names are CSPM keywords have other names in the script.
 TEST(Process, EventsOfAMachineThatEndsAreRewarded) {
     const char* const ending = R"(
 		robotic platform Table { event channel : nat event STOP }

@@ -1,5 +1,5 @@
-// Probabilistic assertions decided in RoboTool's encoding. Expected values come from the chains, which are small enough
-// to be worked out by hand; the case studies' from their recorded results.
+// Probabilistic assertions decided in RoboTool's encoding. The expected values come from the chains, which are small
+// enough to compute by hand; those of the case studies come from recorded results.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -24,7 +24,7 @@ using testing::robotool;
 using testing::text;
 
 /// A coin that is thrown until it shows heads. Its chain: the initial node, Ready, the junction, then Heads (p) or
-/// Ready again; each of them a step. `stop` is the platform's, and nothing else is possible in Ready.
+/// Ready again, each of them one step. `stop` comes from the platform, and no other event is possible in Ready.
 const char* const coin = R"(package coin
 	enumeration Side { Head Tail }
 	interface Shown { var side : Side, throws : nat }
@@ -81,7 +81,7 @@ TEST(RoboToolChain, IsTriedForEveryValueOfASet) {
         "constants Few: Game::hand::thrower::p from set {0.5, 0.25}, and k from set {4 to 8 by step 2}\n"
         "label heads = Game::table::side == Side::Head /\\ Game::hand::thrower is in Heads\n"
         "prob property P: Prob=? of [Finally <=k #heads] with constants Few";
-    // After 4 steps one throw is over, after 6 two.
+    // After 4 steps there was one throw, after 6 steps two.
     EXPECT_EQ(text(asked(few)),
               "Game::hand::thrower::p=0.5, k=4: 0.5\n"
               "Game::hand::thrower::p=0.5, k=6: 0.75\n"
@@ -117,7 +117,7 @@ TEST(RoboToolChain, KnowsFormulasFunctionsAndModules) {
             "Game::hand::thrower is in Heads /\\ &quad(1) == 4]" +
             half + " with definitions D")),
         "Game::hand::thrower::p=0.5: 0.5");
-    // An observer that counts throws to 2 and then refuses another: heads at the first or second.
+    // An observer that counts to 2 throws and refuses a third: heads at the first or second throw.
     EXPECT_EQ(text(asked("pmodules M: pmodule Count { n : [0 to 2] init 0; "
                          "[Game::table::throw.out] @n < 2 -> (@n = @n + 1); [] @n == 2 -> skip; }\n"
                          "prob property P: Prob=? of [Finally Game::hand::thrower is in Heads /\\ @M::Count::n <= 2]" +
@@ -143,7 +143,7 @@ TEST(RoboToolChain, InnerStatesAreAskedFor) {
               "Game::hand::thrower::p=0.5: 1");
 }
 
-/// Of 1000 throws of a fair coin; all intervals are computed from the hits, which the seed gives.
+/// 1000 throws of a fair coin; all intervals are computed from the number of hits, which the seed determines.
 TEST(RoboToolChain, IsSampled) {
     const std::string sampled = "Prob=? of [Finally <=4 Game::hand::thrower is in Heads] using sim with ";
     const auto rows = asked("prob property P: " + sampled + "CI at pathlen=100, n=1000, and alpha=0.001" + half);
@@ -202,7 +202,7 @@ TEST(RoboToolChain, IsSampledWithExpressions) {
     EXPECT_NE(fault("prob generate path P: using simulation for 1/2 steps" + half), "");
 }
 
-/// The steps of the chain are known; what the coin shows depends on the seed.
+/// The steps of the chain are known; the results of the throws depend on the seed.
 TEST(RoboToolChain, GivesAPathInTheWordsOfTheModel) {
     const auto rows = asked("prob generate path P: using simulation for 4 steps" + half);
     ASSERT_EQ(rows.front().error, "");
@@ -230,14 +230,14 @@ TEST(RoboToolChain, AsAnMdpHasALeastAndAGreatestValue) {
     RoboToolOptions options = testing::small_ranges();
     options.preferences.kind = prism::ModelKind::mdp;
     options.constants["p"] = "0.5";
-    // Nothing competes in this model, so all schedulers agree.
+    // This model has no nondeterminism, so all schedulers agree.
     EXPECT_EQ(text(asked("prob property P: Prob=? of [Finally <=4 Game::hand::thrower is in Heads]", "P", options)),
               "0.5 to 0.5");
     EXPECT_EQ(text(asked("prob property P: Prob max=? of [Finally <=4 Game::hand::thrower is in Heads]", "P", options)),
               "0.5");
 }
 
-/// Counts to a limit that the model leaves open, and one beyond it.
+/// Counts to a limit without a value in the model, and to one beyond it.
 const char* const counter = R"(package counter
 	robotic platform Nothing { }
 	stm Count {
@@ -269,7 +269,7 @@ TEST(RoboToolChain, RangesHoldTheConstantsThatAClaimSets) {
         << "the user's own range stays";
 }
 
-/// Two machines throw a coin when they are asked to; who is asked first, and who moves first, is open.
+/// Two machines throw a coin on request; the order of the requests and of the moves is open.
 const char* const race = R"(package race
 	robotic platform Table { event go }
 	stm Thrower {
@@ -307,8 +307,8 @@ const char* const race = R"(package race
 	module Race { rref table = Table cref hands = Hands connection table on go to hands on go ( _async ) }
 )";
 
-/// What a chain decides by a uniform choice, some scheduler of the same text as an mdp decides likewise: its value lies
-/// between the least and the greatest.
+/// Some scheduler of the same text as an mdp makes the uniform choice of the chain: the value of the chain is between
+/// the minimum and the maximum.
 TEST(RoboToolChain, LiesBetweenTheSchedulersOfItsText) {
     const std::string heads = "Race::hands::left is in Thrower::Heads";
     const std::string first = "Finally " + heads + " /\\ not Race::hands::right is in Thrower::Heads";
@@ -335,7 +335,7 @@ TEST(RoboToolChain, LiesBetweenTheSchedulersOfItsText) {
         const auto greatest = all.front().results.back().low.bounds();
         EXPECT_LE(least.low, value.high) << name;
         EXPECT_GE(greatest.high, value.low) << name;
-        // None of these is decided by the model alone.
+        // All these models have nondeterminism.
         EXPECT_LT(least.high, value.low) << name;
         EXPECT_GT(greatest.low, value.high) << name;
     }
@@ -386,7 +386,7 @@ RoboToolOptions preferences_of(const fs::path& folder) {
     return options;
 }
 
-/// The recorded value of a constant set and t.
+/// The recorded value for a set of constants and t.
 double recorded(const fs::path& folder, const std::string& set, const std::string& t) {
     std::istringstream lines(tests::contents(folder / "EXPECTED.tsv"));
     for (std::string line; std::getline(lines, line);) {
@@ -429,13 +429,13 @@ prism::ModelFile read(const fs::path& path) {
     return model;
 }
 
-/// The lines of a module, without the numbers that names have, blanks and parentheses.
+/// The lines of a module, without the numbers in names, blanks and parentheses.
 std::multiset<std::string> lines_of(const prism::ModelFile& model, const std::string& module) {
     prism::ModelFile alone;
     for (const prism::Module& each : model.modules)
         if (each.name.text == module) alone.modules.push_back(each);
     std::string text = std::regex_replace(prism::print(alone), std::regex("_[0-9]+|[ ()]"), "");
-    // Literals by their numbers.
+    // Replaces literals by their numbers.
     for (const prism::Constant& each : model.constants)
         if (each.value && each.value->op == prism::Op::integer)
             text = std::regex_replace(text, std::regex("\\b" + each.name.text + "\\b"), each.value->text);
@@ -456,7 +456,7 @@ Question hvc_question(const testing::Loaded& loaded, const fs::path& folder, con
     return question;
 }
 
-/// Functions of assertions are written into the model, as RoboTool does.
+/// Functions defined in assertions are added to the model, as in RoboTool.
 TEST(HvcAssertions, DefineTheFunctionsOfTheModel) {
     const fs::path folder = suite("robotool/hvc");
     if (!fs::exists(folder)) GTEST_SKIP() << "no case study at hand";
@@ -467,7 +467,7 @@ TEST(HvcAssertions, DefineTheFunctionsOfTheModel) {
     EXPECT_TRUE(found.empty()) << found.size() << " differences, the first: " << found.front();
 }
 
-/// The modules of assertions stand beside it, with the labels and values that RoboTool gives them.
+/// Modules of assertions are added to the model, with RoboTool's labels and values.
 TEST(HvcAssertions, AddTheirModules) {
     const fs::path folder = suite("robotool/hvc");
     if (!fs::exists(folder)) GTEST_SKIP() << "no case study at hand";

@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that is gone when the test is.
+/// A folder that the destructor removes.
 class Folder {
 public:
     Folder() {
@@ -98,7 +98,7 @@ void read_script(const std::string& path, Judgement& result) {
     take(sources, diagnostics, result);
 }
 
-/// Explores the model too, and decides the properties.
+/// Also explores the model and decides the properties.
 void evaluate(const prism::CheckedModel& model, const prism::CheckedProperties& properties,
               diagnostics::Diagnostics& diagnostics) {
     try {
@@ -135,7 +135,7 @@ void read_rules(const std::string& path, Judgement& result) {
     take(sources, diagnostics, result);
 }
 
-/// The words of `$ robochart-verify emit cpp MODEL`, MODEL and FILE names replaced by places in the folder.
+/// The words of `$ robochart-verify emit cpp MODEL`, with MODEL and FILE names replaced by paths in the folder.
 std::vector<std::string> words_of(const std::string& console, const fs::path& folder) {
     std::istringstream text(console);
     std::vector<std::string> words;
@@ -158,7 +158,7 @@ void add_rule(const diagnostics::Rule* rule, Judgement& result) {
     result.rules.insert(rule);
 }
 
-/// The rules of an outcome; what the model is besides counts where it can be run in cycles.
+/// Adds the rules of an outcome. Rules on additional properties only count if the model is schedulable.
 void take(const app::ConformanceReport& report, Judgement& result) {
     const conformance::Result& found = report.result;
     add_rule(found.explanation.rule, result);
@@ -171,7 +171,7 @@ void take(const app::ConformanceReport& report, Judgement& result) {
         if (aside) add_rule(aside->rule, result);
 }
 
-/// Everything a verb does that may report: reading, lowering, writing, and of searches those of `conform`.
+/// Runs every phase of a verb that may report findings: parsing, lowering, writing, and the search of `conform`.
 void run(const app::Options& given, Judgement& result) {
     if (given.verb == app::Verb::cspm) return read_script(given.inputs.front(), result);
     if (given.verb == app::Verb::simulate) {
@@ -262,7 +262,7 @@ Judgement judge(const std::vector<app::Block>& example) {
 
 Judgement judge_file(const std::string& path) {
     Judgement result;
-    // Alone in a folder, so that the other fixtures beside it are not read with it.
+    // The fixture is copied into its own folder, so that other fixtures are not loaded with it.
     const Folder folder;
     fs::copy_file(path, folder.path() / fs::path(path).filename());
     read_model({folder.path().string()}, result);

@@ -1,4 +1,4 @@
-// Running an example of a rule's page: its blocks become files, its command (if it shows one) is run in this process.
+// Runs an example of a rule's page: its blocks become files, and its command (if there is one) runs in this process.
 #pragma once
 
 #include <set>
@@ -11,20 +11,20 @@
 
 namespace robochart::testing {
 
-/// What an example gave.
+/// The result of an example.
 struct Judgement {
     std::multiset<std::string> findings;  ///< "FILE:LINE CODE"; without place ":0 CODE"
-    std::multiset<std::string> expected;  ///< the same, from `// expect: CODE …` (`-- expect:` in CSPM)
+    std::multiset<std::string> expected;  ///< from `// expect: CODE …` (`-- expect:` in CSPM), in the same form
     std::set<const diagnostics::Rule*> rules;
-    std::string report;  ///< the findings as people see them
+    std::string report;  ///< the findings in readable form
     [[nodiscard]] std::set<std::string> codes() const;
 };
 
-/// Writes the blocks into a folder of its own and reads it as a project. A console block says what else is done:
-/// `$ robochart-verify emit cpp MODEL`. A CSPM block is read as a script.
+/// Writes the blocks into a separate folder and loads it as a project. A console block selects another verb: `$
+/// robochart-verify emit cpp MODEL`. A CSPM block is parsed as a script.
 [[nodiscard]] Judgement judge(const std::vector<app::Block>& example);
 
-/// The same for files that are already there.
+/// Judges existing files in the same way.
 [[nodiscard]] Judgement judge_file(const std::string& path);
 
 }  // namespace robochart::testing

@@ -1,4 +1,4 @@
-// Pages drawn for a terminal.
+// Pages of rules formatted for a terminal.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

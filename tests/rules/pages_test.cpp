@@ -1,5 +1,5 @@
-// Every rule has a page (docs/rules/CODE.md), and every page is correct: its wrong example gives exactly what the
-// comments in it say (`// expect: CODE`), its right example gives nothing.
+// Every rule has a page (docs/rules/CODE.md), and every page is correct: its wrong example gives exactly the findings
+// in its comments (`// expect: CODE`), and its right example gives none.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 const fs::path fixtures = tests::source_folder() / "tests/frontend/fixtures";
 
-/// Rules about things that no short example can show; the component's own tests name them.
+/// Rules that no short example can violate; the tests of the component name them.
 const std::set<std::string_view> without_example = {
     "RC-P02",    "RC-P08",    "RC-P14",    "RC-P23",    "RC-S03",    "RC-S04",   "RC-S05",    "RC-C02",   "RC-C03",
     "RC-C06",    "RC-D01",    "RC-D02",    "RC-D03",    "RC-G01",    "RC-G03",   "RC-G07",    "RC-G08",   "RC-G10",
@@ -34,8 +34,8 @@ std::vector<app::PageText> pages() {
     return result;
 }
 
-/// Advice beyond the published rules (RC-W, and of `conform` RC-K09 and RC-K10) may be given on any example, and each
-/// block Instantiations has its note (RC-C07); they are looked at on pages of their own.
+/// Ignores advice that goes beyond the published rules (RC-W, and RC-K09 and RC-K10 of `conform`) and the note on
+/// Instantiations blocks (RC-C07), except on their own pages.
 bool counts(const std::string& finding, std::string_view code) {
     if (code.starts_with("RC-W") || finding.ends_with(" " + std::string(code))) return true;
     return finding.find(" RC-W") == std::string::npos && !finding.ends_with(" RC-K09") &&
@@ -49,7 +49,7 @@ std::multiset<std::string> of_interest(const std::multiset<std::string>& finding
     return result;
 }
 
-/// Asked of each page in one test: the program has to be started for each test, and there are hundreds of pages.
+/// Checks all pages in one test, because the program is started for each test and there are hundreds of pages.
 template <class Expectation>
 void for_each_page(Expectation expectation) {
     for (const app::PageText& text : pages()) {
@@ -91,7 +91,7 @@ TEST(RulePages, NameTheSeveritiesOfTheTable) {
 }
 
 void expect_wrong_example(const app::RulePage& page) {
-    if (without_example.contains(page.code) && page.wrong.empty()) return;  // nothing can be shown
+    if (without_example.contains(page.code) && page.wrong.empty()) return;  // no example is possible
     const testing::Judgement found = testing::judge(page.wrong);
     const auto findings = of_interest(found.findings, page.code);
     EXPECT_TRUE(found.codes().contains(page.code)) << page.code << " does not occur\n" << found.report;
@@ -108,7 +108,7 @@ TEST(RulePages, WrongExamplesBreakTheRuleAlone) {
 }
 
 void expect_right_example(const app::RulePage& page) {
-    if (without_example.contains(page.code) && page.right.empty()) return;  // nothing can be shown
+    if (without_example.contains(page.code) && page.right.empty()) return;  // no example is possible
     const testing::Judgement found = testing::judge(page.right);
     EXPECT_EQ(of_interest(found.findings, page.code), found.expected) << found.report;
     EXPECT_FALSE(found.codes().contains(page.code)) << found.report;
@@ -155,14 +155,14 @@ TEST(RulePages, LinksLead) {
         const std::string text(page.text);
         for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
             const std::string whole = text.substr(at + 2, text.find(')', at) - at - 2);
-            const std::string link = whole.substr(0, whole.find('#'));    // headings: tests/sanity
-            if (link.starts_with("http") || link == "CODE.md") continue;  // the form, in the index
+            const std::string link = whole.substr(0, whole.find('#'));    // tests/sanity checks headings
+            if (link.starts_with("http") || link == "CODE.md") continue;  // the pattern of entries, in the index
             EXPECT_TRUE(fs::exists(tests::source_folder() / "docs/rules" / link)) << page.code << ": " << link;
         }
     }
 }
 
-/// Rules of the front end have rows for different circumstances: each is shown by a page or a fixture.
+/// Front-end rules have several rows for different circumstances: a page or a fixture shows each of them.
 TEST(RulePages, ShowEveryRowWithTheFixtures) {
     std::set<const diagnostics::Rule*> shown;
     for (const app::PageText& text : pages()) {

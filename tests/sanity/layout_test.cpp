@@ -1,4 +1,4 @@
-// The tree is the one that docs/architecture.md shows: folders, who includes whom, no cycles.
+// The source tree has the structure of docs/architecture.md: folders, permitted includes, no cycles.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ std::string unit_of(const std::string& file) {
     return file.substr(0, file.rfind('.'));
 }
 
-/// From folder to folder, or from unit (header and source of one name) to unit.
+/// Includes from folder to folder, or from unit (header and source with the same name) to unit.
 Edges edges_between(std::string (*node_of)(const std::string&)) {
     Edges edges;
     for (const std::string& file : program_files()) {
@@ -54,7 +54,7 @@ TEST(Layout, FoldersHaveNoCycle) {
     EXPECT_THAT(cycles(edges_between(folder_of)), ::testing::IsEmpty());
 }
 
-/// What the table allows has none either: a later include cannot close one.
+/// The permitted includes contain no cycle, so a later include cannot close one.
 TEST(Layout, TheTableHasNoCycle) {
     const auto table = folder_table();
     Edges allowed;
@@ -64,7 +64,7 @@ TEST(Layout, TheTableHasNoCycle) {
     EXPECT_THAT(cycles(allowed), ::testing::IsEmpty());
 }
 
-/// A class with parts of its own may be two units that know each other, not more.
+/// A class with its own parts may consist of two units that include each other, but not more.
 TEST(Layout, AtMostTwoUnitsIncludeEachOther) {
     for (const std::vector<std::string>& group : cycles(edges_between(unit_of)))
         EXPECT_LE(group.size(), 2U) << ::testing::PrintToString(group);

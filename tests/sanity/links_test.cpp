@@ -1,4 +1,4 @@
-// Links between the project's documents lead to files, and behind `#` to headings that are there.
+// Links in the project's documents lead to existing files and, after `#`, to existing headings.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::string prose(const std::string& text) {
     return result;
 }
 
-/// As servers of Git repositories form the anchor of a heading: small letters, hyphens for spaces, no punctuation.
+/// The anchor of a heading, as Git servers generate it: lower case, hyphens for spaces, no punctuation.
 std::string anchor(const std::string& heading) {
     std::string result;
     for (const char c : heading) {
@@ -52,7 +52,7 @@ std::vector<std::string> anchors(const std::string& text) {
     return result;
 }
 
-/// Those into the project.
+/// The links to files of the project.
 std::set<std::string> links(const std::string& text) {
     const std::string all = prose(text);
     std::set<std::string> result;
@@ -63,7 +63,7 @@ std::set<std::string> links(const std::string& text) {
     return result;
 }
 
-/// Why a link of a document does not lead anywhere; "" if it does.
+/// Describes why a link of a document is broken; "" if it is not.
 std::string broken(const fs::path& document, const std::string& link) {
     const std::size_t mark = link.find('#');
     const std::string file = link.substr(0, mark);
@@ -75,7 +75,7 @@ std::string broken(const fs::path& document, const std::string& link) {
 }
 
 TEST(Links, LeadToFilesAndHeadings) {
-    const std::set<std::string> examples = {"CODE.md"};  // the form of a line of docs/rules/README.md
+    const std::set<std::string> examples = {"CODE.md"};  // a pattern in docs/rules/README.md
     std::size_t found = 0;
     for (const fs::path& document : files(root(), {".md"}))
         for (const std::string& link : links(contents(document))) {
@@ -86,8 +86,8 @@ TEST(Links, LeadToFilesAndHeadings) {
     EXPECT_GT(found, 500U);
 }
 
-/// A link to a repeated heading would lead to the first one; a merge that keeps both sides repeats parts of a document.
-/// Every release in a changelog repeats Added, Changed and Fixed.
+/// A link to a repeated heading would lead to the first one, and a merge that keeps both sides repeats parts of a
+/// document. In a changelog every release repeats Added, Changed and Fixed.
 TEST(Links, HeadingsOfADocumentDiffer) {
     for (const fs::path& document : files(root(), {".md"})) {
         if (document.filename() == "CHANGELOG.md") continue;

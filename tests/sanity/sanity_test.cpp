@@ -1,4 +1,4 @@
-// The rules of the project that a program can check: file heads, rules with fixtures, no leftovers.
+// Rules of the project that a program can check: file heads, rules with fixtures, no leftovers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ TEST(Sanity, HeadersSayWhatTheyAreForAndAreGuarded) {
     for (const fs::path& path : files(root(), {".hpp"})) {
         const std::string text = contents(path);
         EXPECT_TRUE(text.starts_with("//")) << path << " has no head comment";
-        // Headers that ship with generated code keep to portable guards.
+        // Headers that are shipped with generated code use portable include guards.
         const bool guarded =
             text.find("#pragma once") != std::string::npos || text.find("#ifndef ROBOCHART_") != std::string::npos;
         EXPECT_TRUE(guarded) << path << " has no include guard";
@@ -58,8 +58,9 @@ TEST(Sanity, FilesCanBeHeldInTheHead) {
     }
 }
 
-/// Text that others wrote is ForeignText until one of the functions of diagnostics/escape.hpp lets it out. Who looks at
-/// it as it is stands here: what computes with characters, and what hands them to a syntax tree whose printer escapes.
+/// Text from models is ForeignText until a function of diagnostics/escape.hpp returns it. This test lists the files
+/// that access it directly: those that compute with its characters, and those that pass it to a syntax tree whose
+/// printer escapes it.
 TEST(Sanity, ForeignTextIsLetOutByTheEscapersAlone) {
     const std::set<std::string> seams = {"csp_emit/expressions/expressions.cpp", "csp_emit/compose/instantiations.cpp",
                                          "diagnostics/escape.cpp", "diagnostics/escape.hpp",
@@ -70,7 +71,7 @@ TEST(Sanity, ForeignTextIsLetOutByTheEscapersAlone) {
     }
 }
 
-/// One escaper a language: who writes a backslash before a quote elsewhere has one of his own.
+/// There is one escaper per language: a file that writes a backslash before a quote would be another one.
 TEST(Sanity, NobodyElseEscapes) {
     const std::string by_hand[] = {"'\"' || c == '\\\\'", "&quot;", "&lt;"};
     for (const std::string& name : program_files()) {
@@ -81,7 +82,7 @@ TEST(Sanity, NobodyElseEscapes) {
     }
 }
 
-/// Programs are started with their arguments as they are, by one function.
+/// One function starts all programs, and passes their arguments unchanged.
 TEST(Sanity, NoShellIsStarted) {
     const std::regex start(R"((std::system|[^\w]::system|popen|execlp?|execle|execvp?e?|posix_spawnp?)\s*\()");
     for (const std::string& name : program_files()) {
@@ -90,7 +91,7 @@ TEST(Sanity, NoShellIsStarted) {
     }
 }
 
-/// The code as a word of its own: `Cn10` is no `Cn1`.
+/// Whether the text contains the code as a word: `Cn10` does not contain `Cn1`.
 bool names_code(const std::string& text, std::string_view code) {
     const auto in_word = [&](std::size_t at) {
         return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at])) != 0;
@@ -118,7 +119,7 @@ TEST(Sanity, EveryRuleIsExplainedAndTested) {
     EXPECT_GT(codes.size(), 50U);
 }
 
-/// .clang-format; folders with texts of generated files switch it off by one of their own.
+/// .clang-format applies to all sources; folders with generated texts have their own file that disables it.
 TEST(Sanity, SourcesAreLaidOutByClangFormat) {
     ROBOCHART_NEEDS(std::system("clang-format --version > /dev/null 2>&1") == 0, "clang-format");
     for (const std::string folder :
@@ -131,8 +132,7 @@ TEST(Sanity, SourcesAreLaidOutByClangFormat) {
     }
 }
 
-/// Paths of files of the project, in documentation and in comments, with what they name relative to the top or to
-/// tests/.
+/// Paths in documentation and comments that are relative to the root or to tests/ must exist.
 TEST(Sanity, PathsInTextsExist) {
     const std::regex path(
         R"((?:^|[^\w/.-])((?:app|checker|conformance|corpus|cpp_emit|csp_emit|diagnostics|diagrams|docs|editors|frontend|lsp|runs|scripts|semantics|simulation|statistics|tests)/[a-zA-Z0-9_/-]+\.(?:cpp|hpp|h|md|sh|py|txt|rct)\b))");
@@ -154,7 +154,7 @@ TEST(Sanity, PathsInTextsExist) {
     EXPECT_GT(found, 1000U);
 }
 
-/// What stands between backquotes and matches.
+/// The texts between backquotes that match.
 std::set<std::vector<std::string>> quoted(const std::string& text, const std::string& pattern) {
     std::set<std::vector<std::string>> found;
     const std::regex expression(pattern);
@@ -163,7 +163,7 @@ std::set<std::vector<std::string>> quoted(const std::string& text, const std::st
     return found;
 }
 
-/// A source by its path, or by its name alone if it lies below csp_emit.
+/// A source by its path, or by its name alone if it is below csp_emit.
 fs::path source(const std::string& name) {
     if (name.find('/') != std::string::npos) return root() / name;
     for (const fs::path& path : files(root() / "csp_emit", {".cpp"}))
@@ -189,11 +189,11 @@ TEST(Sanity, TheSemanticsNamesFunctionsAndTestsThatExist) {
     }
 }
 
-/// Of the source's switches those over a kind of the IR that have a `default:`, by its line.
+/// The lines of those switches over a kind of the IR that have a `default:`.
 std::vector<std::size_t> silent_switches(const fs::path& path) {
     const std::regex over_kind(R"(^\s*case (ir::)?(Type|Expr|Stmt|Node|Machine|Comm|Component|Property|End)Kind::.*)");
     std::vector<std::size_t> found;
-    std::vector<bool> kinds;  // of the switches that are open, whether they are over a kind
+    std::vector<bool> kinds;  // for each enclosing switch, whether it is over a kind
     std::istringstream lines(contents(path));
     std::string line;
     for (std::size_t number = 1; std::getline(lines, line); ++number) {
@@ -207,7 +207,7 @@ std::vector<std::size_t> silent_switches(const fs::path& path) {
     return found;
 }
 
-/// The compiler names every switch that a new kind is missing from, unless a `default:` takes it in.
+/// The compiler reports every switch that lacks a new kind, unless the switch has a `default:`.
 TEST(Sanity, SwitchesOverKindsOfTheIrHaveNoDefault) {
     for (const char* component : {"semantics", "csp_emit", "cpp_emit", "conformance"})
         for (const fs::path& path : files(root() / component, {".cpp", ".hpp"}))

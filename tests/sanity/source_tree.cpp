@@ -59,7 +59,7 @@ std::string folder_of(const std::string& file) {
 
 namespace {
 
-/// What stands between backquotes.
+/// The texts between backquotes.
 std::vector<std::string> quoted_names(const std::string& text) {
     std::vector<std::string> result;
     for (std::size_t at = text.find('`'); at != std::string::npos; at = text.find('`', at + 1)) {
@@ -108,7 +108,7 @@ bool may_include(const FolderRow& row, const std::string& folder) {
         return name == folder || (name.ends_with("/*") && is_below(folder, name.substr(0, name.size() - 2)));
     });
     if (listed) return true;
-    // "everything but `app`": nothing below app either.
+    // "everything but `app`" also excludes the folders below app.
     return row.everything && std::none_of(row.excluded.begin(), row.excluded.end(),
                                           [&](const std::string& name) { return is_below(folder, name); });
 }

@@ -1,4 +1,4 @@
-// The sources of the project: which there are, in which folders, and what they include.
+// The sources of the project: their folders and their includes.
 #pragma once
 
 #include <filesystem>
@@ -11,30 +11,30 @@
 
 namespace robochart::sanity {
 
-/// The folder of the project.
+/// The root folder of the project.
 [[nodiscard]] const std::filesystem::path& root();
 using tests::contents;
-/// Files below a folder with one of these extensions, sorted; build trees are left out.
+/// Files below a folder with one of these extensions, sorted, without build trees.
 [[nodiscard]] std::vector<std::filesystem::path> files(const std::filesystem::path& folder,
                                                        const std::set<std::string>& extensions);
-/// Sources of the program, relative to the root: what generated projects and the tests have is left out.
+/// Sources of the program, relative to the root, without those of generated projects and of tests.
 [[nodiscard]] std::vector<std::string> program_files();
 /// The project's files that a source includes, relative to the root.
 [[nodiscard]] std::vector<std::string> included(const std::string& file);
 [[nodiscard]] std::string folder_of(const std::string& file);
 
-/// A row of the table of folders in docs/architecture.md: what its files may include beside `diagnostics` and each
-/// other.
+/// A row of the table of folders in docs/architecture.md: the folders that its files may include, in addition to
+/// `diagnostics` and its own folder.
 struct FolderRow {
     std::set<std::string> allowed;   ///< "a/b"; "a/*": the folders below a
     std::set<std::string> excluded;  ///< "everything but": components or folders
     bool everything = false;
 };
-/// By folder.
+/// The rows by folder.
 [[nodiscard]] std::map<std::string, FolderRow> folder_table();
 [[nodiscard]] bool may_include(const FolderRow&, const std::string& folder);
 
-/// Groups of nodes that reach each other, each sorted; single nodes are left out.
+/// Strongly connected components with more than one node; each of them sorted.
 [[nodiscard]] std::vector<std::vector<std::string>> cycles(const std::map<std::string, std::set<std::string>>& edges);
 
 }  // namespace robochart::sanity

@@ -1,5 +1,5 @@
-// One name, one type: the language demands that every type of a namespace is defined once in a program, and no compiler
-// sees it when two files break that (C++20, [basic.def.odr]): the linker takes any of the two.
+// One name, one type: every type of a namespace must be defined once in a program. No compiler reports a violation
+// across files (C++20, [basic.def.odr]), and the linker chooses one of the two.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 namespace robochart::sanity {
 namespace {
 
-/// The types that a source defines in named namespaces, with those namespaces; nested and local types are left out.
-/// Reads what clang-format lays out: namespaces and their types begin at the left margin.
+/// The types that a source defines in named namespaces, with these namespaces, without nested and local types. Relies
+/// on the layout of clang-format: namespaces and their types start at the left margin.
 std::set<std::string> defined_types(const std::string& text) {
     static const std::regex opening(R"(namespace ?([\w:]*) ?\{.*)");
     static const std::regex closing(R"(\}  // namespace.*)");
@@ -36,7 +36,7 @@ std::set<std::string> defined_types(const std::string& text) {
     return found;
 }
 
-/// The projects for simulators have main programs of their own, which are never linked together.
+/// The projects for simulators have separate main programs, which are never linked together.
 bool is_linked(const std::string& file) {
     return file.find("cpp_emit/projects/") == std::string::npos && file.find("/golden/") == std::string::npos;
 }

@@ -1,5 +1,5 @@
-// The words that docs/glossary.md lists as not used are not used: not in documentation, comments, messages or
-// identifiers.
+// The project does not use the words that docs/glossary.md lists as not used: not in documentation, comments, messages
+// or identifiers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A word that must stay, where the line contains `text`.
+/// An exception: a word in a line that contains `text`.
 struct Allowed {
     std::string_view word, file, text, reason;
 };
@@ -48,7 +48,7 @@ constexpr Allowed allowed[] = {
 
 using Words = std::vector<std::string>;
 
-/// A word with its line; `joins`: nothing but blanks, comment marks and underscores between it and the word before.
+/// A word with its line; `joins`: only blanks, comment marks and underscores separate it from the previous word.
 struct Token {
     std::string word;
     std::size_t line;
@@ -63,7 +63,7 @@ bool is_upper(char c) {
     return std::isupper(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Words in lower case; identifiers in camel case are taken apart, those with underscores too.
+/// Words in lower case; identifiers in camel case and with underscores are split.
 std::vector<Token> tokens(std::string_view text) {
     constexpr std::string_view between = " \t\r\n/*#_";
     std::vector<Token> result;
@@ -98,7 +98,7 @@ Words words(std::string_view text) {
 
 constexpr std::string_view heading = "### Words that are not used\n";
 
-/// The first column of the table below the heading: what stands between backquotes.
+/// The texts between backquotes in the first column of the table below the heading.
 std::vector<Words> words_not_used() {
     const std::string glossary = contents(root() / "docs/glossary.md");
     std::istringstream lines(glossary.substr(std::min(glossary.find(heading), glossary.size())));
@@ -112,7 +112,7 @@ std::vector<Words> words_not_used() {
     return result;
 }
 
-/// Whether the words begin at this token.
+/// Whether the wanted words start at this token.
 bool begin_at(const Words& wanted, const std::vector<Token>& text, std::size_t at) {
     if (at + wanted.size() > text.size()) return false;
     for (std::size_t i = 0; i < wanted.size(); ++i)
@@ -136,8 +136,8 @@ std::vector<std::pair<std::size_t, std::string>> uses(const std::string& text, c
     return result;
 }
 
-/// Texts of the project. CHANGELOG.md is history; inputs of the fuzzers are kept as they were found; this file lists
-/// the exceptions.
+/// Texts of the project, except CHANGELOG.md, which is history, inputs of fuzzers, which stay as they were found, and
+/// this file, which lists the exceptions.
 std::vector<std::string> texts() {
     std::vector<std::string> result;
     for (const fs::path& path : files(root(), {".cpp", ".hpp", ".h", ".txt", ".cmake", ".sh", ".py", ".js", ".md",
@@ -177,7 +177,7 @@ TEST(Words, OfTheGlossarysLastSectionAreNotUsed) {
         EXPECT_TRUE(needed.contains(&each)) << each.file << ": `" << each.word << "` is not used there";
 }
 
-/// Places and types in the tables before: `checker/lts/event.hpp`, `ir::Machine`.
+/// The files and types in the other tables: `checker/lts/event.hpp`, `ir::Machine`.
 TEST(Words, TheGlossaryNamesPlacesAndTypesThatExist) {
     std::string glossary = contents(root() / "docs/glossary.md");
     glossary.resize(glossary.find(heading));

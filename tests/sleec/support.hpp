@@ -1,4 +1,4 @@
-// SLEEC texts read for tests.
+// Parses and checks SLEEC texts for tests.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace robochart::sleec::testing {
 
-/// A text with the findings about it.
+/// A parsed text with its findings.
 struct Read {
     explicit Read(const std::string& text, const std::string& path = "rules.sleec") {
         file = read(sources, sources.add(path, text), diagnostics);
     }
-    /// Follows names and checks types too.
+    /// Also resolves names and checks types.
     Read& checked_too() {
         if (diagnostics.ok()) checked = check(file, diagnostics);
         return *this;

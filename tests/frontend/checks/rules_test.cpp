@@ -1,6 +1,6 @@
-// The pages of the rules (docs/rules) are their first fixtures; tests/rules runs them. Here are the further variants,
-// fixtures/CODE/bad_*.rct and good_*.rct: a bad one gives exactly the findings that its comments announce
-// (`// expect: CODE …` on the line of the finding), a good one none of its folder's code.
+// The pages of the rules (docs/rules) are their first fixtures; tests/rules runs them. This test runs further variants,
+// fixtures/CODE/bad_*.rct and good_*.rct. A bad fixture must give exactly the findings in its comments (`// expect:
+// CODE …` on the line of the finding); a good one must give no finding with the code of its folder.
 #include "frontend/rules/rules.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ std::multiset<std::string> expectations(const std::string& text) {
     return result;
 }
 
-/// Advice beyond the published rules (RC-W) may be given on any fixture; it is looked at in its own folders only.
+/// Advice that goes beyond the published rules (RC-W) is ignored, except in its own folders.
 std::multiset<std::string> findings(const testing::Reading& reading, bool advice) {
     std::multiset<std::string> result;
     for (const auto& d : reading.findings.sorted())

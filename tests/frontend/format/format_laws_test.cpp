@@ -1,5 +1,5 @@
-// The laws of the formatter (docs/format.md): no word or comment is lost, the tree stays the same, formatting twice is
-// formatting once, and blanks of the input do not matter. Over every text at hand and random ones.
+// The laws of the formatter (docs/format.md): no word or comment is lost, the tree stays the same, formatting is
+// idempotent, and blanks of the input do not matter. Tested on all available texts and on random ones.
 #include <gtest/gtest.h>
 
 #include "formatting.hpp"
@@ -43,7 +43,7 @@ TEST(FormatLaws, HoldUnderRandomBlanksAndComments) {
     EXPECT_GT(correct, tried / 2) << "most mutants are not models any more";
 }
 
-/// The examples take turns with the forms of a comment: ROBOCHART_SEEDS=7 tries each with all.
+/// Each example is combined with some forms of a comment in turn: ROBOCHART_SEEDS=7 tries each example with all.
 TEST(FormatLaws, HoldWithACommentInEveryGap) {
     const std::vector<std::string> comments = {" /* c */ ",  " // c\n",    "\n// c\n",  "\n/* c */\n",
                                                "\n/* c */ ", " /* c */\n", "/* c\nd */"};
@@ -57,7 +57,8 @@ TEST(FormatLaws, HoldWithACommentInEveryGap) {
         }
 }
 
-/// Names of any length, so that lines break anywhere; the examples take turns: ROBOCHART_SEEDS=4 tries each with all.
+/// Names of any length, so that lines may break anywhere, in turn over the examples: ROBOCHART_SEEDS=4 tries each
+/// example with all.
 TEST(FormatLaws, HoldForLongNames) {
     const std::vector<std::size_t> lengths = {2, 8, 30, 130};
     for (const std::uint64_t seed : seeds(1))
@@ -87,7 +88,8 @@ TEST(FormatLaws, HoldForRandomSyntax) {
     }
 }
 
-/// Without empty lines and comments the words alone decide. True if the text can be read with other line ends.
+/// In texts without empty lines and comments, only the words determine the layout. Returns true if the text can be
+/// parsed with other line ends.
 bool expect_independence(const Example& example) {
     const Example joined = respaced(example, [](std::string_view) { return " "; });
     const Example split = respaced(example, [](std::string_view) { return "\n"; });
@@ -124,7 +126,7 @@ std::string machines(std::size_t count) {
     return text;
 }
 
-/// What takes more than linear time here does not end within the time limit of the tests.
+/// If formatting takes more than linear time, the test exceeds its time limit.
 TEST(FormatLaws, LongFilesTakeLinearTime) {
     EXPECT_FALSE(formatted(machines(tests::rounds(30'000))).empty());  // 150,000 lines
 }

@@ -1,4 +1,4 @@
-// The standard layout: what it looks like (docs/format.md).
+// The standard layout (docs/format.md).
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -28,7 +28,7 @@ TEST(Format, TheExampleOfTheDocumentationIsInTheStyle) {
     EXPECT_EQ(formatted(example), example);
 }
 
-/// The body of a machine `stm S { … }`, without the indentation that it has there.
+/// The body of a machine `stm S { … }`, without its indentation.
 std::string in_machine(const std::string& body) {
     const std::string text = formatted("stm S {" + body + "}");
     std::istringstream lines(text.substr(0, text.size() - 2));
@@ -58,12 +58,13 @@ TEST(Format, LongTransitionsHaveAClauseALine) {
 }
 
 TEST(Format, ColumnsDecide) {
-    // A body that ends in column 80 (a tab counts 4) stands on one line, in column 81 not.
+    // A body that ends in column 80 (a tab counts 4) stays on one line; a body that ends in column 81 does not.
     const std::string fits = "\ttransition t { from i to a condition " + std::string(37, 'x') + " }\n";
     expect_format("stm S {\n" + fits + "}\n", "stm S {\n" + fits + "}\n");
     expect_format("stm S { transition t { from i to a condition " + std::string(38, 'x') + " } }",
                   "stm S {\n\ttransition t {\n\t\tfrom i to a\n\t\tcondition " + std::string(38, 'x') + "\n\t}\n}\n");
-    // A line that ends in column 120 is not broken, in column 121 it is. An umlaut in a string is one column.
+    // A line that ends in column 120 stays; a line that ends in column 121 is broken. An umlaut in a string is one
+    // column.
     const std::string line = "var v : nat = \"ä\" + " + std::string(92, 'y');
     EXPECT_EQ(in_machine(line + " + 1"), line + " + 1\n");
     EXPECT_EQ(in_machine(line + " + 12"), "var v : nat = \"ä\"\n\t+ " + std::string(92, 'y') + "\n\t+ 12\n");
@@ -136,7 +137,8 @@ TEST(Format, LineEndsAndByteOrderMarks) {
     expect_format("type A\r\n\r\n/* x\r\n y */\r\ntype B", "type A\r\n\r\n/* x\r\n y */\r\ntype B\r\n");
     expect_format("type A\r\ntype B\n", "type A\ntype B\n");
     expect_format("type A\rtype B\r", "type A\ntype B\n");
-    expect_format("\xEF\xBB\xBFtype A", "type A\n");  // it is the file's: Files.ReplacedTextsKeepTheirByteOrderMark
+    expect_format("\xEF\xBB\xBFtype A", "type A\n");  // it belongs to the file:
+                                                      // Files.ReplacedTextsKeepTheirByteOrderMark
     expect_format("", "");
     expect_format(" \n\n", "");
 }

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Every construct of the language, with its rarer forms.
+/// Every construct of the language, including rare forms.
 const char* const every_construct = R"rct(package A::B::C
 import set_toolkit::* import A::D
 diagram Main
@@ -111,7 +111,7 @@ void add_pages(std::vector<Example>& examples, const fs::path& folder) {
     }
 }
 
-/// The words of a text, with what they are views of.
+/// The words of a text, and the objects to which they refer.
 struct Words {
     explicit Words(const Example& example) {
         stream = tokenize(sources, sources.add("t", example.text), example.is_assertions, findings);
@@ -195,7 +195,7 @@ Example respaced(const Example& example, const std::function<std::string(std::st
     std::size_t end = 0;
     for (const Words words(example); const Token& token : words.stream.tokens) {
         const std::string gap = choose(text.substr(end, token.span.begin - end));
-        const bool one_line = token.is("(") || token.escaped;  // no call, no operator `^` after a line end
+        const bool one_line = token.is("(") || token.escaped;  // a call or an operator `^` may not follow a line end
         out += one_line && gap.find_first_of("\r\n") != std::string::npos ? " " : gap;
         out += text.substr(token.span.begin, token.span.end - token.span.begin);
         end = token.span.end;

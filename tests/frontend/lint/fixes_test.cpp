@@ -1,4 +1,4 @@
-// Certain fixes, applied as `validate --fix` applies them: the text is accepted afterwards.
+// Certain fixes, applied as `validate --fix` applies them: afterwards the text is accepted.
 #include <gtest/gtest.h>
 
 #include "diagnostics/fixes.hpp"
@@ -7,7 +7,7 @@
 namespace robochart::frontend {
 namespace {
 
-/// The text with every certain fix.
+/// The text after all certain fixes.
 std::string fixed(const std::string& text) {
     const auto reading = testing::resolved(text);
     const diagnostics::SourceId source = reading->file().source;
@@ -28,12 +28,13 @@ std::string module_with(const std::string& connection) {
     return with_machine("module M { robotic platform R { event e } cref c = C\n" + connection + " }");
 }
 
-/// Cn2: whatever follows the event, and whichever end the platform is at.
+/// Cn2: for any text after the event, and with the platform at either end.
 TEST(LintFixes, MakeAConnectionWithThePlatformAsynchronous) {
     for (const char* end : {"", " [mult]", " // by wire"}) {
         for (const char* ends : {"connection R on e to c on e", "connection c on e to R on e"}) {
             const std::string text = module_with(std::string(ends) + end + "\n");
-            // Nothing inside the controller goes on to a bidirectional connection: Cn5 and Cn7 say so before and after.
+            // No connection inside the controller continues a bidirectional connection, so Cn5 and Cn7 are reported
+            // before and after the fix.
             EXPECT_NE(codes(text).find("Cn2@2"), std::string::npos) << text;
             EXPECT_EQ(fixed(text), module_with(std::string(ends) + " (_async)" + end + "\n"));
             EXPECT_EQ(codes(fixed(text)).find("Cn2"), std::string::npos) << fixed(text);
@@ -42,7 +43,7 @@ TEST(LintFixes, MakeAConnectionWithThePlatformAsynchronous) {
     EXPECT_TRUE(testing::resolved(fixed(module_with("connection R on e to c on e")))->findings.ok());
 }
 
-/// A connection between controllers may be either, so nothing is fixed there.
+/// A connection between controllers may be synchronous or asynchronous, so it is not changed.
 TEST(LintFixes, LeaveOtherConnectionsAlone) {
     const std::string text = module_with("cref d = C connection R on e to c on e (_async) connection c on f to d on f");
     EXPECT_EQ(fixed(text), text);
@@ -63,11 +64,11 @@ TEST(LintFixes, CorrectAnImport) {
     EXPECT_NE(codes(text).find("RC-N04@1"), std::string::npos);
     EXPECT_EQ(codes(fixed(text)), "") << fixed(text);
     EXPECT_EQ(fixed("import set_toolkit::subsett type A"), "import set_toolkit::subset type A");
-    // Nothing is near.
+    // No toolkit has a similar name.
     EXPECT_EQ(fixed("import nowhere::* type A"), "import nowhere::* type A");
 }
 
-/// An element looked for in a sequence: what was meant is only likely.
+/// The test for an element in a sequence: the fix is likely, but not certain.
 TEST(LintFixes, SuggestTheElementsOfASequence) {
     const auto reading = testing::resolved("interface I { const s:Seq(nat) = <1> const b:boolean = 1 in s }");
     EXPECT_EQ(reading->codes(), "RC-T23@1");

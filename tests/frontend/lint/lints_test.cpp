@@ -1,5 +1,5 @@
-// Warnings beyond the rules: what the fixtures do not show. The decision procedure for guards is checked against trying
-// all small values.
+// Warnings that go beyond the rules: cases that the fixtures do not show. The decision procedure for guards is compared
+// with enumeration of small values.
 #include "frontend/lint/lints.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using testing::resolved;
 
 // ---------------------------------------------------------------- the decision procedure
 
-/// The guard of the only transition with one, in a machine that sees x, y : int, n : nat, p, q : boolean, c : Colour.
+/// The only guard in a machine with x, y : int, n : nat, p, q : boolean, c : Colour in scope.
 const Expr& guard_of(const testing::Reading& reading) {
     const auto& machine = dynamic_cast<const Machine&>(*reading.file().declarations.back());
     return *machine.transitions.back()->condition;
@@ -42,7 +42,7 @@ logic::Finding decided(const std::string& guard, bool negated = false) {
     return reasoner.decide(formula);
 }
 
-/// Values of the variables, and what an expression is then.
+/// Values of the variables, for the evaluation of expressions.
 struct Values {
     int x = 0, y = 0, n = 0, p = 0, q = 0, c = 0;
 
@@ -117,8 +117,8 @@ private:
     }
 };
 
-/// Bounds of the tried values: the formulas below mention numbers up to 3 in at most 3 comparisons, so some solution is
-/// small if there is one.
+/// Bounds of the enumerated values: the formulas below contain at most 3 comparisons with numbers up to 3, so if there
+/// is a solution, there is a small one.
 bool some_values_satisfy(const Expr& guard) {
     constexpr int most = 7;
     Values v;
@@ -157,7 +157,7 @@ private:
         const char* colours[] = {"red", "green", "blue"};
         const char* relations[] = {" < ", " <= ", " > ", " >= ", " == ", " != "};
         if (kind == 0) return pick(2) == 0 ? "p" : "q";
-        // One draw a statement: compilers differ in the order of operands.
+        // Only one draw per statement, because compilers evaluate operands in different orders.
         if (kind == 1) {
             const char* relation = pick(2) == 0 ? "==" : "!=";
             return std::string("c ") + relation + " Colour::" + colours[pick(3)];
@@ -242,7 +242,7 @@ TEST(GuardLogic, GivesUpInsteadOfRunningForEver) {
     static_cast<void>(decided(wide));
 }
 
-// ---------------------------------------------------------------- what is said
+// ---------------------------------------------------------------- messages
 
 TEST(Lints, SayForWhichValuesAJunctionIsStuck) {
     const auto reading =
@@ -277,9 +277,9 @@ TEST(Lints, PointAtTheUseOfALooseEvent) {
         13U);
 }
 
-// ---------------------------------------------------------------- when nothing is said
+// ---------------------------------------------------------------- cases without warnings
 
-/// A machine with an unused variable and a node that is not reached.
+/// A machine with an unused variable and an unreachable node.
 const std::string careless = "stm S { var v:nat initial i state A { } state B { } transition t { from i to A } }";
 
 TEST(Lints, LeaveFilesWithErrorsAlone) {
@@ -294,7 +294,7 @@ TEST(Lints, LookAtOtherFilesOfAProjectWithErrorsOneByOne) {
         reading.model.files.push_back(parse(reading.sources, id, false, reading.findings));
     }
     resolve(reading.model, reading.findings);
-    // Whether the variable is used is unknown: the other file was not understood.
+    // It is unknown whether the variable is used, because the other file has errors.
     EXPECT_EQ(reading.codes(), "RC-W03@1 RC-N01@1") << reading.report();
 }
 
@@ -309,8 +309,8 @@ TEST(Lints, CanBeSwitchedOff) {
     EXPECT_EQ(reading.findings.warnings(), 1U);
 }
 
-/// Our own models have nothing to be warned of, apart from the note that untimed checks ignore clocks, and that the
-/// published swarm model has one interface for all operations, which those require that call none of them.
+/// Our own models cause no warnings, with two exceptions: the note that untimed checks ignore clocks, and the published
+/// swarm model, in which components that call no operation require the only interface of operations.
 TEST(Lints, HaveNothingToSayAboutTheCorpus) {
     std::size_t models = 0;
     for (const auto& entry : std::filesystem::directory_iterator(tests::source_folder().string() + "/corpus")) {

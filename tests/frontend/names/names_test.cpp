@@ -1,4 +1,4 @@
-// Names reported once: what is declared several times, what leads along references to a part, what is nowhere.
+// Names: duplicate declarations, paths through references to a component, and unknown names, each reported once.
 #include <gtest/gtest.h>
 
 #include "frontend/syntax/parse.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using testing::resolved;
 
-/// "line: message" of the notes of the only finding.
+/// "line: message" of each note of the only finding.
 std::string notes(const testing::Reading& reading) {
     std::string out;
     const diagnostics::Diagnostic finding = reading.findings.sorted().front();
@@ -37,7 +37,7 @@ TEST(Duplicates, OfAThousandShowAFew) {
 }
 
 TEST(Duplicates, OfOneKindAreReportedBesideAnotherKind) {
-    // The interface is no duplicate of the types, but these are duplicates of each other.
+    // The interface and the types may share a name; the types are duplicates of each other.
     EXPECT_EQ(resolved("interface I { event e }\ntype I\ntype I\ndatatype I { f : nat }")->codes(), "RC-N03@3");
 }
 
@@ -46,7 +46,7 @@ TEST(Duplicates, OfCspBlocksAreReported) {
     const auto reading = resolved("csp A" + empty + "csp B" + empty + "csp A" + empty + "csp A" + empty, true);
     EXPECT_EQ(reading->codes(), "RC-N03@3");
     EXPECT_EQ(notes(*reading), "1: first declared here\n4: declared again here\n");
-    // A timed and an untimed process are never in one script.
+    // A timed and an untimed process never occur in the same script.
     EXPECT_EQ(resolved("timed csp A" + empty + "untimed csp A" + empty, true)->codes(), "");
     EXPECT_EQ(resolved("timed csp A" + empty + "csp A" + empty, true)->codes(), "RC-N03@2");
     EXPECT_EQ(resolved("timed csp A" + empty + "untimed csp A" + empty + "timed csp A" + empty, true)->codes(),
@@ -77,7 +77,7 @@ stm S {
 }
 )";
 
-/// The project and claims about it, read together.
+/// The project and assertions about it, loaded together.
 std::unique_ptr<testing::Reading> with_claims(const std::string& claims) {
     auto reading = std::make_unique<testing::Reading>();
     const auto model = reading->sources.add("p.rct", project);
@@ -136,7 +136,7 @@ TEST(PathsThroughReferences, StopAtWhatIsNotThere) {
         EXPECT_NE(reading->codes().find(code), std::string::npos) << name << "\n" << reading->report();
         EXPECT_EQ(claim(*reading).state, nullptr);
     }
-    // A state of the other instance is none of this one.
+    // A state of the other instance does not belong to this one.
     const auto other = with_claims("import P::* assertion A: M::c_ref::t_ref::Outer is reachable in M::d_ref");
     EXPECT_NE(other->codes().find("RC-Q03"), std::string::npos) << other->report();
     const auto part = with_claims("import P::* assertion A: M::d_ref::t_reff is deadlock-free");

@@ -1,4 +1,4 @@
-// Resolution kept in step with changing files says what resolution anew says, and looks at no more than it must.
+// Incremental resolution gives the same result as resolution from scratch, and resolves no more files than necessary.
 #include <gtest/gtest.h>
 
 #include "frontend/project/incremental.hpp"
@@ -19,7 +19,7 @@ using diagnostics::SourceManager;
 using random_models::Project;
 using random_models::Random;
 
-/// The dump with targets and types, and every finding; fixes too.
+/// The dump with targets and types, and every finding with its fixes.
 std::string said(const Model& model, const SourceManager& sources, const Diagnostics& findings) {
     return dump(model, sources, true) + diagnostics::render_text(sources, findings);
 }
@@ -57,7 +57,7 @@ public:
         resolution_.resolve(model_, findings);
         return said(model_, sources_, findings);
     }
-    /// Did the last one leave other files alone?
+    /// Whether the last resolution skipped some files.
     [[nodiscard]] bool left_others() const { return resolution_.files_resolved() < model_.files.size(); }
     [[nodiscard]] const Project& project() const { return project_; }
     [[nodiscard]] std::size_t resolved() const { return resolution_.files_resolved(); }
@@ -69,7 +69,7 @@ private:
     Resolution resolution_;
 };
 
-/// One word of the text left out, said twice, or another word of the text instead.
+/// The text with one word omitted, doubled, or replaced by another word of the text.
 std::string edited(const std::string& text, bool is_assertions, Random& random) {
     SourceManager sources;
     Diagnostics ignored;
@@ -85,7 +85,7 @@ std::string edited(const std::string& text, bool is_assertions, Random& random) 
     return result.replace(word.span.begin, word.span.end - word.span.begin, instead[random.below(4)]);
 }
 
-/// Changes words here and there, half of them back again, and compares after each.
+/// Changes random words, reverts half of the changes, and compares after each change.
 std::size_t expect_the_same(Project project, std::size_t edits, Random& random) {
     Kept kept(std::move(project));
     std::size_t left_others = 0;
@@ -94,7 +94,7 @@ std::size_t expect_the_same(Project project, std::size_t edits, Random& random) 
         const std::size_t file = random.below(kept.project().size());
         const std::string before = kept.project()[file].text;
         for (const std::string& text : {edited(before, kept.project()[file].is_assertions(), random), before}) {
-            if (text == before && random.below(4) == 0) continue;  // a mistake that stays
+            if (text == before && random.below(4) == 0) continue;  // keeps some mistakes in the text
             kept.change(file, text);
             const std::string now = kept.resolve();
             const std::string expected = anew(kept.project());
@@ -127,7 +127,7 @@ TEST(Incremental, TheCorpusIsResolvedAsAnew) {
     EXPECT_GT(expect_the_same(project, 60, random), 20U);
 }
 
-// ---------------------------------------------------------------- what is looked at
+// ---------------------------------------------------------------- files that are resolved
 
 const Project three = {
     {"a.rct", "interface I { var x : nat var y : nat event e : nat }\ninterface O { go(n : nat) }\n"},
@@ -163,7 +163,7 @@ TEST(Incremental, ADeclarationConcernsEveryFile) {
     EXPECT_EQ(looked_at(1, "import set_toolkit::*\n" + three[1].text), all + 1);
 }
 
-/// A note that points into a changed text moves with it.
+/// If a note points into a changed text, its place moves with the text.
 TEST(Incremental, NotesIntoTheChangedFileMove) {
     Kept kept(
         {{"a.rct", "stm M { initial i state A { } transition t { from i to A } }\ninterface I { var speed : nat }\n"},
@@ -179,7 +179,8 @@ TEST(Incremental, NotesIntoTheChangedFileMove) {
     EXPECT_NE(after.find("a.rct:5:"), std::string::npos) << after;
 }
 
-/// The lost part of one file excuses unknown names of another, and no longer than that.
+/// A syntax error that hides a part of one file suppresses errors for unknown names in another file, until it is
+/// corrected.
 TEST(Incremental, WhatWasLostMattersElsewhere) {
     Kept kept({{"a.rct", "stm M { initial i state A { } transition t { from i to A } }\n"},
                {"b.rct", "stm S { requires Lost initial i state A { } transition t { from i to A } }\n"}});

@@ -1,4 +1,4 @@
-// Every name of a project has its place, and points at what it stands for (language reference 1.3).
+// Every name of a project has an occurrence, which refers to the named element (language reference 1.3).
 #include "frontend/project/occurrences.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 using testing::resolved;
 
-/// The occurrence at the n-th place where `word` is written (from 1).
+/// The occurrence at the n-th position (from 1) of `word` in the text.
 struct Found {
     NameKind kind;
     const Declaration* target;
@@ -152,7 +152,7 @@ TEST_F(Occurrences, FollowReferencesAlongPathsInAssertions) {
     EXPECT_TRUE(at("assertion @A1").declares);
 }
 
-/// Words of assertion files that only some places reserve.
+/// Words that assertion files reserve only in some positions.
 bool is_assertion_word(std::string_view word) {
     static const std::set<std::string_view> words = {
         "assertion", "csp",       "timed",     "untimed",  "associated",  "deadlock",   "divergence", "timelock",
@@ -165,7 +165,7 @@ bool is_assertion_word(std::string_view word) {
     return words.contains(word);
 }
 
-/// Every name of a project outside package and diagram clauses is covered; the places that are not.
+/// The positions of names without an occurrence, outside package and diagram clauses.
 std::string uncovered(const std::string& path) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;
@@ -175,7 +175,7 @@ std::string uncovered(const std::string& path) {
     std::string missing;
     for (const auto& file : model->files) {
         if (file->is_library || file->has_syntax_errors) continue;
-        // Rules in SLEEC are declared in files of their own.
+        // SLEEC rules are declared in separate files.
         for (const Assertion& assertion : file->assertions)
             if (assertion.kind == AssertionKind::conforms)
                 for (const auto& span : assertion.other.spans) covered.insert({span.source, span.begin});

@@ -1,4 +1,4 @@
-// From paths to models: what is read, what is refused, what belongs together.
+// From paths to models: which files are loaded or rejected, and which belong together.
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for each test, gone afterwards.
+/// A separate folder for each test, removed afterwards.
 class Project : public ::testing::Test {
 protected:
     void SetUp() override {
@@ -28,7 +28,7 @@ protected:
         fs::create_directories((folder_ / name).parent_path());
         std::ofstream(folder_ / name, std::ios::binary) << text;
     }
-    /// Names of the project's own files loaded (or of the libraries), then the codes of what was found.
+    /// Names of the project's own loaded files (or of the libraries), then the codes of the findings.
     std::string load(const std::string& name = "", bool libraries = false) {
         reading_ = std::make_unique<testing::Reading>();
         const auto model = load_project(reading_->sources, (folder_ / name).string(), reading_->findings);
@@ -59,7 +59,7 @@ TEST_F(Project, SaysWhatIsMissing) {
     EXPECT_NE(reading_->report().find("contains no RoboChart files"), std::string::npos);
 }
 
-// Only an error about the name that a file of RoboSim declares is followed by the note.
+// The note only accompanies an error about the name that a RoboSim file declares.
 TEST_F(Project, SaysWhichFileOfRoboSimDeclaresWhatIsMissing) {
     write("a.rct", "stm S { uses Lamps uses Horns initial i state A { } transition t { from i to A } }");
     write("deep/parts.rst", "interface Lamps { event lamp } module Horns2 { Horns }");

@@ -1,4 +1,4 @@
-// Certain fixes over every example of the rules: what `validate --fix` would write reads better than what was there.
+// Certain fixes on every example of the rules: the text that `validate --fix` would write is better than the original.
 #include "diagnostics/repair/repair.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ bool includes(const std::multiset<std::string>& all, const std::multiset<std::st
     return std::includes(all.begin(), all.end(), some.begin(), some.end());
 }
 
-/// The texts with one fix alone.
+/// The texts after one fix.
 Texts with_fix(const diagnostics::TextReading& reading, const Texts& texts, const diagnostics::FixIt& fix) {
     Texts result = texts;
     std::string& text = result.at(reading.sources.path(fix.span.source));
@@ -53,7 +53,7 @@ Texts with_fix(const diagnostics::TextReading& reading, const Texts& texts, cons
     return result;
 }
 
-/// Fewer findings of some kind, none new of it or of those that would hide it.
+/// Checks that there are fewer findings of some level, and no new ones of this level or of those that could hide it.
 void expect_better(const diagnostics::TextReading& before, const diagnostics::TextReading& after,
                    const std::string& what) {
     for (int level = 0; level < 3; ++level) {
@@ -65,7 +65,7 @@ void expect_better(const diagnostics::TextReading& before, const diagnostics::Te
     ADD_FAILURE() << what << "nothing is better";
 }
 
-/// Each certain fix alone makes its text better, and so do all that are made together.
+/// Checks that each certain fix alone improves the text, and that all fixes that are made together do.
 void expect_repaired(const Texts& texts, std::size_t& fixes) {
     const auto before = read_texts(texts);
     for (const diagnostics::Diagnostic& finding : before->findings.sorted()) {
@@ -98,7 +98,7 @@ TEST(Repair, MakesEveryFixtureBetter) {
     EXPECT_GT(fixes, 3U);
 }
 
-/// The fenced blocks of one example, each a file.
+/// The fenced blocks of one example; each block is a file.
 struct Example {
     Texts texts;
 };
@@ -140,9 +140,9 @@ TEST(Repair, MakesEveryExampleOfAPageBetter) {
     EXPECT_GT(fixes, 20U);
 }
 
-// ---------------------------------------------------------------- what is not written
+// ---------------------------------------------------------------- fixes that are not written
 
-/// A rule for tests: each `x` of a text is wrong, and so is each `yy`.
+/// A test rule that reports every `x` and every `yy`.
 const diagnostics::Rule wrong{"T1", diagnostics::Severity::error, "{}", ""};
 
 std::unique_ptr<diagnostics::TextReading> find_x(const Texts& texts, const std::string& instead) {
@@ -165,7 +165,7 @@ diagnostics::Repaired without_x(const std::string& text, const std::string& inst
         [](const diagnostics::Rule&) { return false; });
 }
 
-/// The fix beside a `y` would trade one finding for another: it alone is left out.
+/// The fix next to a `y` would replace one finding by another: only this fix is skipped.
 TEST(Repair, LeavesOutTheFixThatBringsAFinding) {
     const diagnostics::Repaired result = without_x("x.x.yx.x.x", "y");
     EXPECT_EQ(result.texts, (Texts{{"a", "y.y.yx.y.y"}}));

@@ -1,4 +1,4 @@
-// Resolution may run again over the same trees, and over trees of which some were replaced.
+// Resolution may run repeatedly on the same trees, and on trees some of which were replaced.
 #include <gtest/gtest.h>
 
 #include "frontend/syntax/parse.hpp"
@@ -11,7 +11,7 @@ namespace {
 using diagnostics::Diagnostics;
 using diagnostics::SourceManager;
 
-/// What a resolved model says: the dump with targets and types, and every finding.
+/// The resolved model as text: the dump with targets and types, and every finding.
 std::string said(const Model& model, const SourceManager& sources, const Diagnostics& findings) {
     return dump(model, sources, true) + diagnostics::render_text(sources, findings);
 }
@@ -58,7 +58,7 @@ constexpr const char* user =
     "controller C { requires I sref s = S connection C on e to s on e }\n";
 constexpr const char* library = "interface I { var x : nat }\nenumeration E { first second }\n";
 
-/// A file that others point into is replaced by another: the result is that of a project read anew.
+/// A file that others refer to is replaced by another one: the result equals that of a newly loaded project.
 TEST(Rerun, AfterAFileWasReplaced) {
     const auto build = [](SourceManager& sources, const std::string& second) {
         Model model;

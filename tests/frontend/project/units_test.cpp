@@ -1,4 +1,4 @@
-// Which files belong together (frontend/project/units.hpp).
+// Files that belong together (frontend/project/units.hpp).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ struct Text {
     std::string path, text;
 };
 
-/// The paths of each unit's files; `again` is a mark in front.
+/// The paths of each unit's files; a prefix marks files with `again`.
 std::vector<std::vector<std::string>> units_of(const std::vector<Text>& texts) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
@@ -43,7 +43,7 @@ const std::string t = "stm T { " + body;
 
 TEST(Units, WhatRefersToNothingElseIsApart) {
     EXPECT_THAT(units_of({{"a.rct", s}, {"b.rct", t}}), ElementsAre(ElementsAre("a.rct"), ElementsAre("b.rct")));
-    // Nothing is shared by what only comes with the tool.
+    // Files that share only a library of the tool are not connected.
     EXPECT_THAT(units_of({{"a.rct", "import set_toolkit::* " + s}, {"b.rct", "import set_toolkit::* " + t}}),
                 ElementsAre(ElementsAre("a.rct"), ElementsAre("b.rct")));
 }
@@ -62,14 +62,14 @@ TEST(Units, AssertionFilesBelongToWhatTheyAreAbout) {
                 ElementsAre(ElementsAre("a.rct"), ElementsAre("b.rct", "x.assertions")));
     EXPECT_THAT(units_of({{"a.rct", s}, {"b.rct", t}, {"x.assertions", "csp Q csp-begin\nQ = T::D__(0)\ncsp-end"}}),
                 ElementsAre(ElementsAre("a.rct"), ElementsAre("b.rct", "x.assertions")));
-    // What is about nothing that it names is about everything.
+    // An assertion file that names no component applies to all models.
     EXPECT_THAT(units_of({{"a.rct", s},
                           {"b.rct", t},
                           {"x.assertions", "csp Instantiations csp-begin\nnametype core_nat = {0..3}\ncsp-end"}}),
                 ElementsAre(ElementsAre("a.rct", "b.rct", "x.assertions")));
 }
 
-// Projects side by side may use the same names: the nearest is meant.
+// Independent projects may use the same names: a name means the nearest element.
 TEST(Units, TheNearestOfOneNameIsMeant) {
     const std::string claim = "assertion A : S is deadlock-free";
     EXPECT_THAT(
@@ -87,11 +87,11 @@ TEST(Units, TheNearestOfOneNameIsMeant) {
                           {"/p/b/m.rct", t},
                           {"/p/b/x.assertions", "csp Instantiations csp-begin\nnametype core_nat = {0..3}\ncsp-end"}}),
                 ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/x.assertions")));
-    // A controller's own machines are its own, not those of another of its name.
+    // A controller means its own machine, not a machine of another controller with the same name.
     EXPECT_THAT(units_of({{"/p/a/m.rct", "controller C { sref s = S } " + s},
                           {"/p/b/m.rct", "controller C { stm S { " + body + " }"}}),
                 ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct")));
-    // What is imported from nearby goes before what is of no package and lies elsewhere.
+    // An imported element nearby has precedence over an element outside packages that is farther away.
     EXPECT_THAT(
         units_of({{"/p/a/m.rct", s}, {"/p/b/m.rct", "package P " + s}, {"/p/b/m.assertions", "import P::* " + claim}}),
         ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/m.assertions")));
@@ -99,7 +99,7 @@ TEST(Units, TheNearestOfOneNameIsMeant) {
                           {"/p/b/m.rct", "controller C { stm S { " + body + " }"},
                           {"/p/b/x.assertions", "csp Q csp-begin\nQ = C::S::D__(0)\ncsp-end"}}),
                 ElementsAre(ElementsAre("/p/a/m.rct"), ElementsAre("/p/b/m.rct", "/p/b/x.assertions")));
-    // Nobody can tell which of these is meant, so they meet and the rules report the name.
+    // The name is ambiguous, so all these files form one unit, and the rules report the name.
     EXPECT_THAT(units_of({{"/p/a.rct", s}, {"/p/b.rct", s}, {"/p/x.assertions", claim}}),
                 ElementsAre(ElementsAre("/p/a.rct", "/p/b.rct", "/p/x.assertions")));
 }

@@ -1,4 +1,4 @@
-// One missing thing is one error: what depends on it is not reported again.
+// One missing declaration causes one error; elements that depend on it cause no further errors.
 #include <gtest/gtest.h>
 
 #include "tests/frontend/fixture.hpp"
@@ -14,7 +14,7 @@ const std::string interfaces =
     "interface Data { var speed : nat var height : nat }\n"
     "robotic platform R { uses Signals provides Calls provides Data }\n";
 
-/// A machine that uses all of it, with these clauses, run by a controller and a module.
+/// A project in which a machine with these clauses uses all declarations, with a controller and a module.
 std::string project(const std::string& machine,
                     const std::string& controller = "uses Signals requires Calls requires Data",
                     const std::string& platform = interfaces) {
@@ -55,7 +55,7 @@ TEST(Missing, AForgottenClauseIsOneError) {
     EXPECT_NE(report.find("`requires Data`"), std::string::npos) << report;
 }
 
-/// No use of the controller itself says it, so one of the connections does.
+/// The controller itself does not use the event, so one of the connections is reported.
 TEST(Missing, AForgottenClauseOfAControllerIsOneError) {
     std::string report;
     EXPECT_EQ(errors(project("uses Signals requires Calls requires Data", "requires Calls requires Data"), report), 1U)
@@ -94,7 +94,7 @@ TEST(Missing, AnImportThatBringsNothingIsOneErrorAndAWarning) {
     EXPECT_EQ(reading->findings.errors(), 1U) << reading->report();
     EXPECT_NE(reading->report().find("there is no package `q`, which the file imports"), std::string::npos)
         << reading->report();
-    // Without the import each of them is missing.
+    // Without the import, each of them causes an error.
     EXPECT_EQ(resolved("package p interface I { var a : T var b : U const c : V }")->findings.errors(), 3U);
 }
 

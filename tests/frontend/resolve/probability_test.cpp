@@ -1,4 +1,4 @@
-// Probabilistic assertions: what their names stand for, and what a property may claim.
+// Probabilistic assertions: the elements that their names mean, and the types that a property may have.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -19,7 +19,7 @@ constexpr const char* model =
     "stm S { var count : nat var lit : boolean const p : real event e initial i state A { initial j state B { }\n"
     "  transition u { from j to B } } transition t { from i to A } }\n";
 
-/// The model with an assertion file beside it.
+/// The model together with an assertion file.
 std::unique_ptr<Reading> with_claims(const std::string& claims) {
     auto reading = testing::read(model);
     const auto id = reading->sources.add("t.assertions", claims);
@@ -28,7 +28,7 @@ std::unique_ptr<Reading> with_claims(const std::string& claims) {
     return reading;
 }
 
-/// The codes of errors, each with the fix that it suggests.
+/// The codes of errors, each with its suggested fix.
 std::string errors(const std::string& claims) {
     const auto reading = with_claims(claims);
     std::string out;
@@ -40,7 +40,7 @@ std::string errors(const std::string& claims) {
     return out;
 }
 
-/// "name=place" of every name of the first property that has a target; the place is what is around it.
+/// "name=place" of every name with a target in the first property; the place is the enclosing element of the target.
 std::string targets(const std::string& claims) {
     const auto reading = with_claims(claims);
     EXPECT_TRUE(reading->findings.ok()) << reading->report();
@@ -121,7 +121,7 @@ TEST(Probability, ClausesHaveAnOrder) {
     EXPECT_EQ(errors(property + "constants K with constants K"), "RC-P35");
 }
 
-/// A mistake ends its part alone.
+/// A mistake ends only the assertion that contains it.
 TEST(Probability, ReadingGoesOnBehindAMistake) {
     for (const char* part : {"prob property Q: Prob of [Finally true]", "prob property Q: Prob=? of Finally true]",
                              "rewards r = true 1; endrewards", "pmodules X: pmodule N { v : int; }",
@@ -136,7 +136,7 @@ TEST(Probability, ReadingGoesOnBehindAMistake) {
     }
 }
 
-/// RoboTool's files are read whole, and all their names are found.
+/// RoboTool's files are parsed completely, and all their names are resolved.
 TEST(Probability, TheSuiteIsUnderstood) {
     const auto& shared = testing::shared_folder();
     if (shared.empty()) GTEST_SKIP() << "the shared folder is not there";

@@ -1,4 +1,4 @@
-// What names stand for, and the types of expressions.
+// Targets of names, and types of expressions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using testing::resolved;
 
-/// The type of a constant's value in an interface with these declarations before it.
+/// The type of a constant's value, in an interface that first declares these members.
 std::string type_of(const std::string& expression, const std::string& members = "", const std::string& before = "") {
     const auto reading =
         resolved(before + "\ninterface I { " + members + " const result_value : ?Z = " + expression + " }");
@@ -44,7 +44,7 @@ TEST(Types, OfOperators) {
     EXPECT_EQ(type_of("< 1 > cat < -1 >"), "Seq(int)");
 }
 
-/// The least and the greatest element of a set are of the elements' type, which is a number.
+/// The minimum and the maximum of a set have the type of the elements, which must be numbers.
 TEST(Types, OfTheLeastAndTheGreatestElement) {
     const std::string toolkit = "import sequence_toolkit::*";
     for (const std::string function : {"min", "max"}) {
@@ -71,7 +71,7 @@ TEST(Types, OnlySetsOfNumbersHaveALeastAndAGreatestElement) {
         << reading->report();
 }
 
-/// What ?Number means in the toolkit it does not mean in models.
+/// In models ?Number is an ordinary type variable, unlike in the toolkit.
 TEST(Types, ATypeVariableOfAModelIsOfEveryType) {
     EXPECT_EQ(type_of("same(true)", "", "function same(x : ?Number) : ?Number { }"), "boolean");
     EXPECT_EQ(type_of("least({ 0.5 })", "",
@@ -80,7 +80,7 @@ TEST(Types, ATypeVariableOfAModelIsOfEveryType) {
               "real");
 }
 
-/// A result of type real is no int.
+/// A result of type real does not fit int.
 TEST(Types, TheLeastRealDoesNotFitAnInt) {
     const auto reading = resolved("import sequence_toolkit::*\ninterface I { const c : int = min({ 0.5 }) }");
     EXPECT_FALSE(reading->findings.ok()) << reading->report();
@@ -109,7 +109,7 @@ TEST(Types, OfForms) {
 
 // ---------------------------------------------------------------- compat(a, b)
 
-/// Types without type variables and with known sizes, smaller ones more often.
+/// Random types without type variables and with known sizes, smaller ones more often.
 class RandomTypes {
 public:
     TypePtr next(int depth = 3) {
@@ -137,7 +137,7 @@ private:
     std::mt19937 random_{1};
 };
 
-/// A wider type or one of another form for the same values, or the type itself.
+/// A wider type, another form of a type with the same values, or the type itself.
 TypePtr widened(const TypePtr& type) {
     if (type->form == TypeForm::nat) return make_type(TypeForm::integer);
     if (type->form == TypeForm::integer) return make_type(TypeForm::real);
@@ -223,7 +223,7 @@ TEST(Types, OfGenericCalls) {
     EXPECT_EQ(type_of("s(1)", "const s : Seq(boolean)"), "boolean");
 }
 
-/// Types written in RoboChart, for compatibility.
+/// Types in RoboChart's notation, for compatibility.
 TypePtr written(const std::string& text) {
     const auto reading = resolved("interface I { var v : " + text + " }");
     EXPECT_TRUE(reading->findings.ok()) << reading->report();
@@ -258,7 +258,7 @@ TEST(Types, ATypeIsDeclaredWhereItsFileSees) {
     EXPECT_EQ(resolved("package P interface I { var v : Q::T }")->codes(), "RC-N01@1");
 }
 
-/// Several files, resolved in the order given.
+/// The findings of several files, resolved in the given order.
 std::string codes_of(const std::vector<std::string>& texts) {
     testing::Reading reading;
     for (const std::string& text : texts) {
@@ -294,8 +294,8 @@ TEST(Names, TheFilesOwnDeclarationsComeFirst) {
     EXPECT_EQ(reading.codes(), "RC-N03@1") << reading.report();
 }
 
-/// A package, and a controller of its name with a reference to the machine: the path as it is written goes before that
-/// through what is behind the reference (language reference 1.3 has no such paths).
+/// A package, and a controller with the same name that refers to the machine: the literal path has precedence over the
+/// path through the reference (language reference 1.3 has no such paths).
 TEST(Names, APathAsWrittenGoesBeforeTheNameOfADefinition) {
     testing::Reading reading;
     const auto add = [&](const char* name, const char* text, bool assertions) {
@@ -348,7 +348,7 @@ TEST(Names, AMachineDoesNotSeeItsController) {
     EXPECT_NE(reading->report().find("controller `C` has one"), std::string::npos) << reading->report();
 }
 
-/// What is before `::` names where the member is declared; anything else there names nothing.
+/// The qualifier before `::` is the declaring element; any other qualifier is an error.
 TEST(Names, QualifiersOfOperationsAndVariablesAreLookedAt) {
     const auto entering = [](const std::string& statement) {
         const auto reading = testing::resolved(
@@ -413,7 +413,7 @@ TEST(Names, EveryFieldIsFilled) {
             transition u { from s to s trigger e ? x #T condition since ( T ) > x }
         }
         controller C { uses Events opref o = op sref s = S connection C on e to s on e [ mult ] })");
-    // Clocks stay with machines: C10. Time in conditions: RC-U01.
+    // A machine must declare its clocks: C10. Time in conditions: RC-U01.
     EXPECT_EQ(reading->codes(), "RC-U01@10 C10@12") << reading->report();
     EXPECT_EQ(reading->dumped(true).find("-> nothing"), std::string::npos) << reading->dumped(true);
     const auto& machine = dynamic_cast<const Machine&>(*reading->file().declarations[3]);

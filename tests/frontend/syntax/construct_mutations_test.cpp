@@ -1,5 +1,5 @@
-// One mistake in any construct: every word of the table of constructs is left out, written twice, and exchanged with
-// the next. The reader must end, say so if it does not understand, say it once or twice, and read on behind it.
+// One mistake in any construct: every word of the table of constructs is omitted, doubled, or exchanged with the next
+// word. The parser must end, report one or two errors if the text is invalid, and parse the text after the construct.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ struct Count {
     std::size_t accepted = 0;
     std::size_t above_one = 0;
     std::size_t above_two = 0;
-    std::size_t lost = 0;  ///< the declaration behind was not read
+    std::size_t lost = 0;  ///< the next declaration was not parsed
     std::size_t most = 0;
     std::string worst;
     std::string some_lost;
@@ -99,11 +99,11 @@ void mutate(const std::string& text, bool is_assertions, Count& count) {
     }
 }
 
-/// A word left out or written twice is one mistake. A bracket or brace among them leaves its other half behind, which
-/// is found where the construct ends: two messages. Two words exchanged may be wrong at both places and, where one is a
-/// brace, behind it too: three, but only in the few constructs with braces inside, so in less than one place of a
-/// hundred. What follows begins on a line of its own with a word that nothing else begins with, so it is read; PRISM
-/// parts are kept as text up to a word that ends them, and may hide it when that one is missing.
+/// An omitted or doubled word is one mistake. An unmatched bracket or brace is also reported at the end of the
+/// construct: two messages. Two exchanged words may cause errors at both positions and, if one is a brace, at the end
+/// too: three messages. This happens only in the few constructs with inner braces, so at less than one position in a
+/// hundred. The next declaration starts on a new line with a keyword that starts nothing else, so it is parsed. PRISM
+/// parts are kept as text up to the word that ends them; without that word they may hide it.
 void check(const char* name, const std::vector<Row>& rows, const Frame& frame, bool is_assertions = false) {
     Count count;
     for (const Row& row : rows) mutate(frame(row.text), is_assertions, count);

@@ -1,5 +1,5 @@
-// One row a construct of the grammar (language reference 1.1, assertion reference 4): the text, and the tree it must
-// give; or the rule that refuses it. A construct without a row is a construct without a test.
+// One row for each construct of the grammar (language reference 1.1, assertion reference 4): its text and the expected
+// tree, or the rule that rejects it. A construct without a row is a construct without a test.
 #pragma once
 
 #include <ostream>
@@ -16,22 +16,22 @@ std::ostream& operator<<(std::ostream& out, const Row& row);
 
 /// Expressions that bind tightest.
 [[nodiscard]] const std::vector<Row>& atoms();
-/// From the loosest to the tightest; each level with its neighbours.
+/// From the lowest to the highest precedence; each level combined with its neighbours.
 [[nodiscard]] const std::vector<Row>& operators();
 /// Types.
 [[nodiscard]] const std::vector<Row>& types();
 /// Statements.
 [[nodiscard]] const std::vector<Row>& statements();
-/// Clauses of a transition, behind `from a to b`.
+/// Clauses of a transition, after `from a to b`.
 [[nodiscard]] const std::vector<Row>& clauses();
 /// Whole files of declarations.
 [[nodiscard]] const std::vector<Row>& declarations();
 /// Whole files of assertions.
 [[nodiscard]] const std::vector<Row>& assertions();
-/// What the grammar forbids: whole files, and the finding.
+/// Texts that the grammar forbids: whole files, with the finding.
 [[nodiscard]] const std::vector<Row>& refused();
 
-/// The file around the text of a row.
+/// The file in which the text of a row is embedded.
 struct Frame {
     const char* before;
     const char* after;

@@ -1,5 +1,4 @@
-// Every construct of the grammar (constructs.hpp) gives the tree that it must, or is refused by the rule that it
-// breaks.
+// Every construct of the grammar (constructs.hpp) gives the expected tree, or is rejected by the rule that it violates.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -70,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(Grammar, Statements, ::testing::ValuesIn(testing::state
 
 class Clauses : public ::testing::TestWithParam<Row> {};
 
-/// What stands in a transition behind `from a to b`, as `dump` shows it.
+/// The clauses of a transition after `from a to b`, as `dump` shows them.
 TEST_P(Clauses, GiveTheTree) {
     const auto reading = read(testing::as_clauses(GetParam().text));
     EXPECT_TRUE(reading->findings.empty()) << reading->report();
@@ -89,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(Grammar, Clauses, ::testing::ValuesIn(testing::clauses(
 
 class Declarations : public ::testing::TestWithParam<Row> {};
 
-/// A file's dump, without its first line and with `/` for line ends.
+/// The dump of a file without its first line, with `/` for line ends.
 TEST_P(Declarations, GiveTheTree) {
     const auto reading = read(GetParam().text);
     EXPECT_TRUE(reading->findings.empty()) << reading->report();
@@ -144,7 +143,7 @@ TEST_P(Assertions, GiveTheTree) {
 
 INSTANTIATE_TEST_SUITE_P(Grammar, Assertions, ::testing::ValuesIn(testing::assertions()));
 
-// ---------------------------------------------------------------- what the grammar forbids
+// ---------------------------------------------------------------- texts that the grammar forbids
 
 class Refused : public ::testing::TestWithParam<Row> {};
 

@@ -1,5 +1,5 @@
-// Texts that nobody writes by hand: nested a hundred thousand deep, lines of megabytes, names and numbers without end.
-// Each gives a finding or a tree, neither a crash nor a report as long as the text, in time that grows with its length.
+// Extreme texts: nesting a hundred thousand deep, lines of megabytes, very long names and numbers. Each gives a finding
+// or a tree in linear time, without a crash or a report as long as the text.
 #include <gtest/gtest.h>
 
 #include "diagnostics/json.hpp"
@@ -39,7 +39,7 @@ std::string in_claim(const std::string& text) {
     return "assertion A: X terminates with constant c of X set to\n" + text;
 }
 
-/// Reads and resolves; the report stays short. What took time with the square of the length would not end here.
+/// Parses and resolves; the report must stay short. With quadratic time the test would not end.
 std::unique_ptr<testing::Reading> judged(const std::string& text, bool is_assertions = false) {
     auto reading = resolved(text, is_assertions);
     EXPECT_LT(reading->report().size(), 100'000U) << text.substr(0, 60);
@@ -109,7 +109,7 @@ TEST(Extremes, NestedStatesAreOneMistake) {
     EXPECT_EQ(judged("stm S {\n" + times(deep, "state s { entry skip "))->codes(), "RC-P02@2");
 }
 
-/// Nothing of the language nests outside of machines, so here every brace is another mistake, up to the limit.
+/// No construct outside machines can be nested, so every brace is another mistake here, up to the limit.
 TEST(Extremes, NestedBracesAreAFewMistakes) {
     for (const char* around : {"", "interface I { ", "module M { ", "controller C { ", "robotic platform R { ",
                                "datatype D { ", "enumeration E { ", "function f():nat { "})
@@ -158,7 +158,7 @@ TEST(Extremes, ANumberOfAMillionDigitsIsTooLarge) {
     EXPECT_EQ(judged("assertion A: X terminates with constant c of X set to\n" + digits, true)->codes(),
               "RC-Q01@1 RC-Q01@1 RC-P06@2");
     EXPECT_EQ(judged("interface I { const c:nat = " + std::string(1'000'000, '0') + "7 }")->codes(), "");
-    // Read on: it is still checked.
+    // Parsing continues: the text is still checked.
     EXPECT_EQ(judged("interface I { const c:boolean = " + digits + " }")->codes(), "RC-P06@1 RC-T01@1");
     for (const std::string& text :
          {"interface I { const c:real = " + digits + "." + digits + " }",

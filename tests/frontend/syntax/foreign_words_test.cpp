@@ -1,5 +1,5 @@
-// Words of other notations: each row of the table is recognised where it says, reported once with what RoboChart has
-// instead, and the rest of the text is read as if that stood there.
+// Words of other notations: each row of the table is recognised in its position and reported once with RoboChart's word
+// for it. The rest of the text is parsed as if RoboChart's word were there.
 #include "frontend/syntax/foreign_words.hpp"
 
 #include <gmock/gmock.h>
@@ -19,11 +19,11 @@ using ::testing::HasSubstr;
 using testing::read;
 using testing::resolved;
 
-/// A machine in parts: what is tried stands between them.
+/// The parts of a machine; the tested text is inserted between them.
 const std::string before = "stm S {\n event e event f clock C var x : int var b : boolean\n initial i\n state A { }\n";
 const std::string after = "\n transition t0 { from i to A }\n}\n";
 
-/// What stands behind the word, so that what replaces it can be read on.
+/// Text after the word that makes the text with the replacement valid.
 std::string rest_of(const ForeignWord& row) {
     switch (row.place) {
         case ForeignPlace::clause:
@@ -51,7 +51,7 @@ std::string member_rest(const ForeignWord& row) {
     return " g";
 }
 
-/// A text in which the row's word stands where it says; "" for places that the reader does not look at.
+/// A text with the row's word in its position; "" for positions that the parser does not check.
 std::string text_with(const ForeignWord& row) {
     const std::string word(row.word);
     switch (row.place) {
@@ -100,7 +100,7 @@ TEST(ForeignWords, EachRowIsReportedOnceAndFixedWhereAWordReplacesIt) {
     }
 }
 
-/// What the rows of a place have instead is a word of RoboChart; none of a row's own words is meant in its place.
+/// The replacements in the table are words of RoboChart, and no two rows for a position have the same word.
 TEST(ForeignWords, RowsNameWordsOfTheGrammar) {
     for (const ForeignWord& row : foreign_words()) {
         EXPECT_FALSE(row.reason.empty()) << row.word;
@@ -116,10 +116,10 @@ TEST(ForeignWords, RowsNameWordsOfTheGrammar) {
 struct Written {
     const char* text;     ///< in a machine
     const char* reason;   ///< part of the message
-    const char* instead;  ///< the text of its fix; "": none
+    const char* instead;  ///< the text of its fix; "": no fix
 };
 
-/// Forms that are more than a word.
+/// Forms that consist of more than a word.
 TEST(ForeignForms, AreReportedOnceWithTheirFix) {
     const Written forms[] = {
         {"transition t1 { from A to A trigger e [ x > 0 ] }", "behind `condition`", "condition x > 0"},
@@ -167,7 +167,7 @@ TEST(ForeignForms, AreReportedOnceWithTheirFix) {
     }
 }
 
-/// What the certain fixes make of a text, and that nothing is wrong with it any more.
+/// The text after the certain fixes; it must have no finding.
 std::string fixed(const std::string& text, const std::string& code) {
     const auto reading = read(text, text.starts_with("assertion"));
     std::vector<diagnostics::FixIt> fixes;
@@ -214,7 +214,7 @@ TEST(ForeignForms, OfNumbersListsAndOrdersAreFixed) {
 }
 
 struct Formed {
-    const char* text;  ///< of a file; of assertions where it does not begin with "stm" or a word for a declaration
+    const char* text;  ///< text of a file; of an assertion file unless it starts with "stm" or a word for a declaration
     const char* note;
 };
 
@@ -361,7 +361,7 @@ TEST(ForeignForms, OfSeveralWordsAreExplained) {
     }
 }
 
-/// `1e5` is no 1 with a suffix, and no list of two.
+/// `1e5` is neither a 1 with a suffix nor a list of two.
 TEST(ForeignForms, AnExponentIsNotLeftOut) {
     const auto reading = read("stm S { initial i state A { entry f(1e5) } transition t { from i to A } }");
     ASSERT_FALSE(reading->findings.ok());
@@ -387,7 +387,8 @@ TEST(ForeignForms, AnIfWithoutEndSaysWhichOne) {
     EXPECT_TRUE(fixed->findings.ok()) << fixed->report();
 }
 
-/// What only the declarations tell: the finding is that of an unknown name, its note says what is meant.
+/// Names that only the declarations identify: the finding is that of an unknown name, and its note suggests the
+/// meaning.
 TEST(ForeignNames, AreUnknownNamesWithANoteAndAFix) {
     const Written forms[] = {
         {"transition t1 { from A to A condition C > 20 }", "time since its last reset", "since(C)"},
@@ -411,7 +412,7 @@ TEST(ForeignNames, AreUnknownNamesWithANoteAndAFix) {
     }
 }
 
-// Names that a model declares are its own, whatever they mean elsewhere.
+// Names that a model declares are valid, whatever they mean in other languages.
 TEST(ForeignWords, MayBeNames) {
     const auto reading = read(
         "interface I { sleep(n : nat) event emit event raise }\n"

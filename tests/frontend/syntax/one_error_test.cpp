@@ -1,5 +1,4 @@
-// Forms that people write for others, and braces that are missing: one error that says what to write, with a fix that
-// is read as what was meant.
+// Confused forms, and missing braces: one error that states the correct form, with a fix that parses as intended.
 #include <gtest/gtest.h>
 
 #include "diagnostics/fixes.hpp"
@@ -16,7 +15,7 @@ std::string machine(const std::string& transition) {
            transition + "\n  transition t2 { from B to A }\n}\n";
 }
 
-/// The text with the fix of its only error.
+/// The text after the fix of its only error.
 std::string fixed(const std::string& text, bool assertions = false) {
     const auto reading = read(text, assertions);
     const auto findings = reading->findings.sorted();
@@ -43,7 +42,7 @@ TEST(OneError, BracesOfATransitionAreMissing) {
     EXPECT_EQ(fixed(machine("from A to B }")), machine("{ from A to B }"));
 }
 
-/// Of a text that is well laid out each brace is left out, one at a time.
+/// In a well laid out text, each brace is omitted, one at a time.
 TEST(OneError, ABraceIsMissing) {
     const std::string whole =
         "interface I {\n  event e\n}\nenumeration E {\n  a b\n}\ndatatype D {\n  f : nat\n}\nstm M {\n  uses I\n  var "

@@ -1,4 +1,4 @@
-// Every construct of the grammar, mistakes and recovery, and input that is no model at all.
+// Every construct of the grammar, mistakes and recovery, and input that is not a model.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 using testing::read;
 
-/// The guard of the only transition of a machine around it.
+/// The guard of the only transition in a machine with this text.
 std::string guard(const std::string& text) {
     const auto reading = read("stm S { transition t { from a to b condition " + text + " } }");
     EXPECT_TRUE(reading->findings.ok()) << reading->report();
@@ -21,7 +21,7 @@ std::string guard(const std::string& text) {
     return to_text(*machine->transitions.at(0)->condition);
 }
 
-/// The same with every operator in parentheses, to see the tree's shape.
+/// The guard with every operator in parentheses, which shows the shape of the tree.
 std::string shape(const Expr& expr) {
     if (expr.kind == ExprKind::binary)
         return "(" + shape(*expr.args[0]) + std::string(to_text(*expr.binary)) + shape(*expr.args[1]) + ")";
@@ -48,7 +48,8 @@ TEST(Lexer, RefusesFilesOfTooManyWords) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;
     const auto source = sources.add("t.rct", std::string(max_tokens + 1, ';'));
-    EXPECT_LE(tokenize(sources, source, false, findings).tokens.size(), max_tokens + 1);  // and the end
+    EXPECT_LE(tokenize(sources, source, false, findings).tokens.size(), max_tokens + 1);  // the maximal number and the
+                                                                                          // end token
     ASSERT_EQ(findings.errors(), 1U);
     EXPECT_EQ(findings.sorted().front().rule->code, "RC-P23");
 }
@@ -78,7 +79,7 @@ TEST(Parser, OperatorsBindAsTheGrammarSays) {
     EXPECT_EQ(guard_shape("- x.f + y[1]"), "((-x.f)+y[1])");
 }
 
-// Atoms and binders: what is printed is what was written.
+// Atoms and binders: the printed text equals the input.
 TEST(Parser, ReadsEveryFormOfExpression) {
     for (const char* text : {"true",
                              "1",
@@ -124,7 +125,7 @@ TEST(Parser, ReadsEveryFormOfExpression) {
                              "< {1}, {2}>",
                              "a % b"})
         EXPECT_EQ(guard(text), text);
-    EXPECT_EQ(guard("<{1}, {2}>"), "< {1}, {2}>");  // `<{` is one word, taken apart here
+    EXPECT_EQ(guard("<{1}, {2}>"), "< {1}, {2}>");  // `<{` is one token, which the parser splits here
     EXPECT_EQ(guard("^end + ^end::x"), "^end + ^end::x");
 }
 
@@ -339,7 +340,8 @@ TEST(Parser, ABraceThatIsNotClosedIsPointedAt) {
     EXPECT_EQ(first_note("stm S {\n  state A {\n    initial i\n    transition t { from i to i }\n"
                          "  transition u { from A to A }\n}\n"),
               "2: this `{` is not closed");
-    // Nothing stands deeper than the state, so what follows may be in it, and the brace at the margin closes it.
+    // No text is indented deeper than the state, so the following lines may belong to it, and the brace at the left
+    // margin closes it.
     EXPECT_EQ(first_note("stm S {\n  state A { entry skip\n  transition u { from A to A }\n}\n"),
               "2: this `{` is probably the one that is not closed: the `}` that would close it stands further left");
     EXPECT_EQ(first_note("stm S { state A { entry x = 1 y } }"), "no note");

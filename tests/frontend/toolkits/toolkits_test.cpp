@@ -1,4 +1,5 @@
-// The five libraries of the language (language reference 1.3), and that neither files nor declarations have an order.
+// The five libraries of the language (language reference 1.3), and that the order of files and declarations does not
+// matter.
 #include "frontend/toolkits/toolkits.hpp"
 #include "frontend/syntax/parse.hpp"
 
@@ -23,7 +24,7 @@ std::set<std::string> words(const std::string& text) {
     return {std::istream_iterator<std::string>(in), {}};
 }
 
-/// The names as published, spelling included.
+/// The published names, including their spelling.
 const std::map<std::string_view, std::string> published = {
     {"core", "nat int real boolean string"},
     {"set_toolkit", "notin subseteq subset union inter diff symetric_diff Union Inter"},
@@ -57,7 +58,7 @@ TEST(Library, ResolvesWithoutAFinding) {
     EXPECT_EQ(reading->model.files.size(), 1 + published.size());
 }
 
-/// `last(<>)` has no type of its own: it fits everywhere, matrices included.
+/// `last(<>)` has an unknown type, which fits everywhere, also for matrices.
 TEST(Library, WhatMayBeOfEveryTypeCanBeTurned) {
     const auto reading = testing::resolved(
         "import sequence_toolkit::* function f() : matrix(real, 2, 2) { "
@@ -82,7 +83,7 @@ TEST(Library, CoreNeedsNoImportAndIsDeclaredSomewhere) {
 
 // ---------------------------------------------------------------- order
 
-/// A project as its files' declarations; some with mistakes, so that there is something to find.
+/// A project as the declarations of its files. Some contain mistakes, so that there are findings.
 const std::vector<std::pair<std::string, std::vector<std::string>>> project = {
     {"package a\nimport b::*\n",
      {"interface I { event e:T var v:nat }",
@@ -96,7 +97,7 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> project = {
 
 using Order = std::vector<std::vector<std::size_t>>;
 
-/// Findings as text without places; files and declarations in the order given.
+/// Findings as text without places, for files and declarations in the given order.
 std::multiset<std::string> findings_of(const std::vector<std::size_t>& files, const Order& order) {
     testing::Reading reading;
     for (const std::size_t f : files) {

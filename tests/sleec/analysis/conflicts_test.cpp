@@ -1,4 +1,4 @@
-// Conflicts and redundancy by the default semantics: the seven faults of SLEEC-TK with their right verdicts
+// Conflicts and redundancy by the default semantics: the seven faults of SLEEC-TK with the correct verdicts
 // (shared/reference, sleec.md 2), and cases whose verdicts follow from docs/rules-language.md by hand.
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ CheckedRules rules_of(const std::string& rules) {
     return *read.checked;
 }
 
-/// "R1-R2 R3": the conflicts, rules by name.
+/// "R1-R2 R3": the conflicts, with rules by name.
 std::string conflicts(const std::string& rules, WithoutLimit without = WithoutLimit::eventually) {
     const CheckedRules checked = rules_of(rules);
     std::string text;
@@ -49,7 +49,7 @@ TEST(SleecConflicts, OfScales) {
     EXPECT_EQ(conflicts(stop + "A2 when Go and load = mid then not Stop within 5 seconds"), "A1-A2");
 }
 
-/// Fault 2: a defeater inside a defeater. Of one Go there is no conflict; but near and safe may change between two.
+/// Fault 2: a defeater inside a defeater. A single Go causes no conflict, but near and safe may change between two.
 TEST(SleecConflicts, OfNestedDefeaters) {
     const std::string help =
         "B1 when Go then Alarm within 2 seconds unless near then {Help within 3 seconds unless safe}\n";
@@ -72,7 +72,7 @@ TEST(SleecConflicts, OfMeasuresThatChange) {
               "C1-C2");
 }
 
-/// Fault 4: a rule at work does not refuse its trigger.
+/// Fault 4: an active rule does not refuse its trigger.
 TEST(SleecConflicts, NotOfTriggers) {
     EXPECT_EQ(conflicts("D1 when Go then Halt within 3 seconds\n"
                         "C2 when Halt and not near then not Stop within 60 seconds"),
@@ -99,7 +99,7 @@ TEST(SleecConflicts, OfThree) {
     EXPECT_EQ(conflicts(alarm + no_alarm + no_help), "R1-R2-R3");
 }
 
-/// Fault 7: nothing grows with measures that the rules do not tell apart.
+/// Fault 7: the state space does not grow with measures that the rules do not distinguish.
 TEST(SleecConflicts, AreFewStatesWithManyMeasures) {
     std::string text = "def_start event Go event Stop ";
     std::string all = "m0";
@@ -114,22 +114,22 @@ TEST(SleecConflicts, AreFewStatesWithManyMeasures) {
     EXPECT_LT(answer.states, 20'000U);
 }
 
-/// Alarm at 2 seconds is allowed if Stop comes at that instant, which B forbids: a third occurrence that nobody asks
-/// for.
+/// Alarm at 2 seconds excludes the second alternative, so Stop must occur at that instant, which B forbids. No rule
+/// requests this Alarm.
 TEST(SleecConflicts, OfAlternativesThatAreGivenAway) {
     EXPECT_EQ(conflicts("A when Go then Stop within 2 seconds otherwise not Alarm within 3 seconds\n"
                         "B when Halt then not Stop within 1 seconds"),
               "A-B");
 }
 
-/// A rule's own triggers overlap: near at the first, not at the second.
+/// Two triggers of the same rule overlap: near is true at the first and false at the second.
 TEST(SleecConflicts, OfARuleWithItself) {
     EXPECT_EQ(conflicts("R when Go then Stop within 3 seconds unless near then not Stop within 3 seconds"), "R");
     EXPECT_EQ(conflicts("R when Go then Stop within 3 seconds unless near then not Stop within 3 seconds unless near"),
               "");
 }
 
-/// The history must be one in which the rules are kept so far: Stop has to come at once, which ends the duty of A too.
+/// Only histories that satisfy the rules so far count: Stop has to occur immediately, which also fulfils the duty of A.
 TEST(SleecConflicts, OnlyInHistoriesThatKeepTheRules) {
     EXPECT_EQ(conflicts("A when Go then Stop within 5 seconds\n"
                         "B when Go then Stop within 0 seconds unless near then not Stop within 9 seconds"),
@@ -169,7 +169,7 @@ TEST(SleecConflicts, ShowTheSituation) {
     EXPECT_LE(found.instant, found.forbidding[0].began + 7);
 }
 
-/// A limit of the search gives no answer, never "no".
+/// If the search reaches a limit, the answer is undecided, never "no".
 TEST(SleecConflicts, AreNotDecidedWithinTooFewStates) {
     const CheckedRules rules =
         rules_of("A when Go then Stop within 50 seconds\nB when Halt then not Stop within 9 seconds");
@@ -184,7 +184,8 @@ bool redundant(const std::string& rule, const std::string& by, WithoutLimit with
     return redundant(rules_of("R1 " + rule + "\nR2 " + by), 0, 1, {without, {}, nullptr});
 }
 
-/// Three alternatives end at one instant, and a rule excludes each; without one of these a way is left.
+/// Three alternatives end at the same instant, and one rule excludes each. Without one of these rules an alternative
+/// remains.
 TEST(SleecConflicts, OfFour) {
     const std::string due =
         "A when Go then Stop within 2 seconds otherwise Alarm within 0 seconds otherwise Help within 0 seconds\n";
@@ -195,7 +196,7 @@ TEST(SleecConflicts, OfFour) {
     EXPECT_EQ(conflicts(due + others), "");
 }
 
-/// One alternative is excluded by the rule itself, the other by another rule.
+/// The rule itself excludes one alternative, and another rule excludes the other.
 TEST(SleecConflicts, OfARuleWithItselfAndAnother) {
     const std::string own =
         "A when Go then Stop within 2 seconds otherwise Alarm within 0 seconds unless near then {not Stop within 9 "

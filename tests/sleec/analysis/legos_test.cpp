@@ -1,5 +1,5 @@
-// LEGOS's diagnoses of its initial sets (shared/suite/sleec, legos-issues.tsv) with `now` for responses without limit:
-// the same rules, concerns and purposes; what is counted differently is said where it is compared.
+// The diagnoses of LEGOS for its initial sets (shared/suite/sleec, legos-issues.tsv), with `now` for responses without
+// a limit: the same rules, concerns and purposes. Comments at the comparisons explain where LEGOS counts differently.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,10 +36,10 @@ std::map<std::string, Counts> recorded(const fs::path& table) {
     return result;
 }
 
-/// What we find in a set.
+/// Our diagnosis of a set.
 struct Diagnosed {
-    std::set<std::string> superfluous;  ///< redundant, or asking for nothing
-    std::set<std::string> conflicts;    ///< "R1 R2"; of one rule with itself "R1"
+    std::set<std::string> superfluous;  ///< redundant rules, and rules without a requirement
+    std::set<std::string> conflicts;    ///< "R1 R2"; "R1" for a rule with itself
     std::set<std::string> raised, blocked;
 };
 
@@ -76,8 +76,9 @@ TEST(SleecDiagnoses, AreThoseOfLegos) {
         {"ALMI", "ALMI"}, {"CSICobot", "CSI"}, {"DAISY", "Daisy"}, {"SafeSCAD", "safescade"}};
     const std::map<std::string, Names> superfluous{
         {"ALMI", {}}, {"CSICobot", {"R4", "R4b", "R14"}}, {"DAISY", {"Rule16"}}, {"SafeSCAD", {"R1_1", "R2", "R2_1"}}};
-    // LEGOS counts the rules that are in conflict because of others: both of DAISY's pair; of SafeSCAD all that take
-    // part but R7, which it names as the cause for R3_1; R3 of ALMI once, where we also ask about R3 with itself.
+    // LEGOS counts the rules that are in conflict because of others. For DAISY these are both rules of the pair. For
+    // SafeSCAD they are all rules that take part except R7, which LEGOS names as the cause for R3_1. For ALMI it is R3
+    // once; we also check R3 with itself.
     const std::map<std::string, Names> conflicts{{"ALMI", {"R3", "R3 R21"}},
                                                  {"CSICobot", {}},
                                                  {"DAISY", {"Rule18 Rule19"}},

@@ -12,7 +12,7 @@ namespace {
 using testing::Read;
 using testing::with_definitions;
 
-/// The answer about the one property of a file, and what it shows.
+/// The answer about the only property of a file, with its example.
 struct Asked {
     Answer answer = Answer::not_decided;
     std::string history, excluded;
@@ -53,7 +53,7 @@ TEST(SleecProperties, RulesExcludeWhatTheyForbid) {
               Answer::yes);
 }
 
-/// Go calls for Stop, Stop for Alarm, Alarm is forbidden after Go.
+/// Go requires Stop, Stop requires Alarm, and Alarm is forbidden after Go.
 TEST(SleecProperties, ConsequencesOfConsequencesCount) {
     const std::string rules =
         "A when Go then Stop within 2 seconds\nB when Stop then Alarm within 2 seconds\n"
@@ -79,7 +79,7 @@ TEST(SleecProperties, WhileIsTheSameInstant) {
               Answer::no);
 }
 
-/// Duties that call for each other for ever can be kept; within one instant they cannot.
+/// Duties that trigger each other forever can be fulfilled over time, but not within one instant.
 TEST(SleecProperties, HistoriesAreEndless) {
     EXPECT_EQ(ask("A when Go then Stop within 2 seconds\nB when Stop then Go within 2 seconds", "exists Go").answer,
               Answer::yes);
@@ -93,8 +93,8 @@ TEST(SleecProperties, HistoriesAreEndless) {
         << "LEGOS: at once";
 }
 
-/// An occurrence that fulfils or ends a duty and opens an equal one: some instance is open at every instant, but none
-/// stays open for ever.
+/// An occurrence fulfils or ends a duty and opens an equal one: at every instant some instance is open, but none stays
+/// open forever.
 TEST(SleecProperties, ADutyMayBeOpenedAnewWhereItIsFulfilled) {
     EXPECT_EQ(ask("A when Go then Go", "exists Go").answer, Answer::yes) << "Go every second";
     EXPECT_EQ(
@@ -124,9 +124,9 @@ TEST(SleecProperties, WhatIsNotDecidedIsSaid) {
     EXPECT_NE(found.reason, "");
 }
 
-// ---- the trigger's own instant
+// ---- the instant of the trigger
 
-/// To LEGOS an event that triggers a property occurs at the instant that the property begins with.
+/// In LEGOS, the event that triggers a property occurs at the first instant of the property.
 TEST(SleecProperties, ReadAsLegosHasItTheTriggerItselfCounts) {
     for (const char* concern :
          {"when Go then not Go eventually", "when Go then not Go within 10 seconds", "when Go then not Go"}) {
@@ -173,7 +173,7 @@ TEST(SleecProperties, ARuleMayFollowFromTwoOthers) {
     EXPECT_EQ(implying(chain, 3), "");
 }
 
-/// The limits add up: Alarm comes at second 5 at the latest, and may come then.
+/// The limits add up: Alarm occurs at second 5 at the latest, and may occur then.
 TEST(SleecProperties, LimitsOfRulesThatImplyAnotherAddUp) {
     const std::string chain = "A when Go then Stop within 2 seconds\nB when Stop then Alarm within 3 seconds\n";
     EXPECT_EQ(implying(chain + "C when Go then Alarm within 5 seconds", 2), "implied by A B");
@@ -190,7 +190,7 @@ TEST(SleecProperties, ProhibitionsAreImpliedToo) {
         << "with an Alarm at second 0 the prohibition ends at second 5";
 }
 
-/// Go cannot come without breaking A or B. That is their conflict, and says nothing of C.
+/// Go cannot occur without a violation of A or B. That is their conflict, and does not imply C.
 TEST(SleecProperties, NothingFollowsFromAConflict) {
     EXPECT_EQ(implying("A when Go then Stop within 2 seconds\nB when Go then not Stop within 5 seconds\n"
                        "C when Go then Alarm within 9 seconds",

@@ -1,4 +1,4 @@
-// Names and types of rules: docs/rules-language.md, "Definitions" and "Conditions".
+// Names and types in rules: docs/rules-language.md, "Definitions" and "Conditions".
 #include <gtest/gtest.h>
 
 #include "tests/sleec/support.hpp"
@@ -43,7 +43,7 @@ TEST(SleecCheck, ChecksTypes) {
         EXPECT_TRUE(findings("R when Go and " + condition + " then Stop").starts_with("SLEEC-T0")) << condition;
 }
 
-/// LEGOS compares places on scales; a file in its dialect may mix them up.
+/// LEGOS compares positions on scales; a file in its dialect may mix scales.
 TEST(SleecCheck, ReadsLiteralsByTheirPlaceInLegosOnly) {
     const std::string head =
         "def_start event Go event Stop measure a : scale(x, y) measure b : scale(u, v, w) def_end ";
@@ -86,7 +86,7 @@ TEST(SleecCheck, WorksOutLimitsThatAreComputed) {
     EXPECT_EQ(findings("R when Go then Stop within (60 - {near}) seconds"), "SLEEC-T04:7") << "a truth value";
 }
 
-/// Places on a scale are numbers from 0, to LEGOS alone.
+/// Only LEGOS treats positions on a scale as numbers from 0.
 TEST(SleecCheck, ComparesScalesWithNumbersInLegosOnly) {
     Read read(with_definitions("R when Go and ({load} > 1) then Stop"));
     ASSERT_TRUE(read.checked_too().checked) << read.report();
@@ -96,7 +96,7 @@ TEST(SleecCheck, ComparesScalesWithNumbersInLegosOnly) {
     EXPECT_EQ(findings("R when Go and ({load} > {near}) then Stop"), "SLEEC-T04:7");
 }
 
-/// At least 5 seconds after: not at 0 to 4.
+/// At least 5 seconds later: not at 0 to 4.
 TEST(SleecCheck, AtLeastForbidsTheSecondsBefore) {
     Read read(with_definitions("R Stop at least 5 seconds after Go"));
     ASSERT_TRUE(read.checked_too().checked);

@@ -1,4 +1,4 @@
-// Whether a component obeys a rule: hand-made components, with verdicts that follow from docs/rules-language.md.
+// Conformance of components to a rule: hand-made components, with verdicts that follow from docs/rules-language.md.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -18,8 +18,8 @@ namespace {
 using testing::Read;
 using testing::with_definitions;
 
-/// The events and measures of with_definitions() as channels of a component; its process is C. Inputs and outputs
-/// alike.
+/// The events and measures of with_definitions() as channels of a component, whose process is C. Inputs and outputs are
+/// treated alike.
 const std::string channels = R"(
 datatype Way = in | out
 datatype Load = low | mid | high
@@ -39,7 +39,7 @@ Linking linking() {
     return result;
 }
 
-/// "obeyed", "broken", "waits for ever", with ", never asked" where the rule never asks the component for anything.
+/// "obeyed", "broken" or "waits for ever", followed by ", never asked" if the rule never applies to the component.
 std::string judged(const std::string& rule, const std::string& component, const Linking& linked = linking(),
                    Readings readings = Readings::one_value) {
     Read read(with_definitions("R " + rule));
@@ -97,7 +97,7 @@ TEST(SleecWatch, ARuleMayNeverAsk) {
         << "it reads the level first, which goes to 9";
 }
 
-/// A rule at work keeps its trigger free; each trigger is owed.
+/// An active rule does not block its trigger, and each trigger opens a duty.
 TEST(SleecWatch, EveryTriggerCounts) {
     const std::string twice = "C = Go.in -> tock -> Go.in -> tock -> tock -> tock -> Stop.out -> C\n";
     EXPECT_EQ(judged("when Go then Stop within 3 seconds", twice), "broken") << "the first waits 4 seconds";
@@ -120,7 +120,7 @@ TEST(SleecWatch, MeasuresAreThoseOfTheInstant) {
     EXPECT_EQ(judged(rule, "C = Go.in -> Stop.out -> tock -> C"), "obeyed") << "it need not look";
 }
 
-/// The first Go is answered, as near is true; before the second it is false.
+/// The first Go is answered, because near is true; before the second Go it becomes false.
 TEST(SleecWatch, AMeasureHasOneValueAtAnInstant) {
     const std::string rule = "when Go and near then Stop within 0 seconds";
     const std::string twice =
@@ -135,7 +135,7 @@ TEST(SleecWatch, AMeasureHasOneValueAtAnInstant) {
     EXPECT_EQ(judged(forbids, "C = Go.in -> near.in.true -> Stop.out -> tock -> C"), "broken");
 }
 
-/// What has no limit comes at last iff no run goes on without it for ever.
+/// A response without a limit occurs finally if and only if no infinite run omits it.
 TEST(SleecWatch, WithoutLimit) {
     const std::string rule = "when Go then Stop";
     EXPECT_EQ(judged(rule, "C = Go.in -> Wait(7, Stop.out -> tock -> C) [] tock -> C"), "obeyed");

@@ -1,5 +1,5 @@
-// Generated monitors, compiled, beside RuleMonitor, which rule_monitor_test.cpp compares with the checker: on every
-// history of twelve steps of some rules, and on long random histories of random rule sets.
+// Generated monitors, compiled, compared with RuleMonitor, which rule_monitor_test.cpp compares with the checker: on
+// every history of twelve steps of some rules, and on long random histories of random rule sets.
 #include "sleec/emit/monitor_file.hpp"
 
 #include <gmock/gmock.h>
@@ -30,10 +30,11 @@ using ::testing::Not;
 using testing::Read;
 using testing::with_definitions;
 
-/// A violation as both sides report it: the rule, the second, and the event that broke it or the number behind all.
+/// A violation as both sides report it: the rule, the second, and the event that violated it (or the number after all
+/// events).
 using Found = std::set<std::tuple<std::size_t, std::int64_t, std::uint32_t>>;
 
-/// What the shared object has of each file: see `driver`.
+/// The functions in the shared object for one file: see `driver`.
 struct Functions {
     std::size_t (*size)();
     void (*start)(void*);
@@ -75,7 +76,7 @@ std::string driver(std::size_t files, const std::vector<std::size_t>& measures) 
     return text;
 }
 
-/// Several files of rules as monitors in one shared object.
+/// Several files of rules, as monitors in one shared object.
 class Compiled {
 public:
     explicit Compiled(const std::vector<const CheckedRules*>& all, const std::vector<const Read*>& read) {
@@ -120,7 +121,7 @@ void note(void* found, std::uint32_t rule, std::int64_t second, std::uint32_t ev
     static_cast<Found*>(found)->insert({rule, second, event});
 }
 
-/// Both monitors of one file, in one state.
+/// Both monitors of one file, in the same state.
 class Both {
 public:
     Both(const CheckedRules& rules, Functions functions)
@@ -128,7 +129,7 @@ public:
         functions_.start(state_.data());
     }
 
-    /// Whether something was broken; a difference is a failure of the test.
+    /// Whether a rule was violated; a difference between the monitors fails the test.
     bool step(std::uint32_t event, const std::vector<std::int64_t>& values) {
         Found generated, expected;
         functions_.step(state_.data(), event, values.data(), note, &generated);
@@ -156,7 +157,7 @@ private:
     std::vector<Piece> state_;
 };
 
-/// Behind the first violation nothing is asked: of duties that one duty stands for, the others are broken later.
+/// Stops at the first violation: if one duty represents several, the violations of the others are reported later.
 void all_histories(const Both& at, int steps, std::uint64_t& looked_at) {
     ++looked_at;
     if (steps == 0 || ::testing::Test::HasFailure()) return;
@@ -241,7 +242,7 @@ std::string header_of(const std::string& text, const std::string& path = "rules.
     return read.checked ? monitor_files(*read.checked, path, read.sources, WithoutLimit::eventually).front().text : "";
 }
 
-/// Conditions of every kind, names that C++ has taken, defeaters in braces, an assumption, 300 rules.
+/// Conditions of every kind, names that C++ reserves, defeaters in braces, an assumption, 300 rules.
 TEST(MonitorFile, CompilesWhateverTheRulesAreCalled) {
     std::string many;
     for (int i = 0; i < 300; ++i) many += "N" + std::to_string(i) + " when class then int within 5 seconds\n";
@@ -294,7 +295,7 @@ TEST(MonitorFile, ComputesLikeTheRules) {
         }
 }
 
-/// What is more than it keeps is counted, and not followed.
+/// Duties beyond the capacity are counted, but not followed.
 TEST(MonitorFile, CountsWhatItCannotFollow) {
     Read read(with_definitions("R when Go then Stop within [600, 700] seconds"));
     ASSERT_TRUE(read.checked_too().checked) << read.report();

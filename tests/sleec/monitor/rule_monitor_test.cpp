@@ -1,5 +1,5 @@
-// Monitors beside the checker: of every history over two events and seconds, the monitor finds a rule
-// broken iff the process that the checker asks (sleec/conformance) can be broken by it.
+// Monitors compared with the checker: for every history over two events and seconds, the monitor reports a violated
+// rule if and only if the process of the rule in the checker (sleec/conformance) can be violated by it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 using testing::Read;
 using testing::with_definitions;
 
-/// The process of a rule beside one that may do anything, as a graph.
+/// The process of a rule, composed with a process that can do anything, as a graph.
 class RuleProcess {
 public:
     explicit RuleProcess(const CheckedRules& rules) {
@@ -49,7 +49,7 @@ public:
     }
 
     using States = std::set<lts::StateIndex>;
-    /// The states behind an event, before and behind what the rule's process does on its own.
+    /// The states after an event, with internal steps of the rule's process before and after it.
     States after(const States& before, const std::string& event) {
         const auto number = session_->event_table().intern(event);
         States result;
@@ -93,7 +93,7 @@ struct Step {
 };
 constexpr std::array<Step, 3> steps{Step{"Go", 0}, Step{"Stop", 1}, Step{"tock", std::nullopt}};
 
-/// Where both sides are behind a history.
+/// The states of both sides after a history.
 struct Place {
     RuleMonitor monitor;
     RuleProcess::States states;
@@ -113,8 +113,8 @@ std::string key(const Place& place) {
     return text;
 }
 
-/// Histories that lead both sides to the same place are continued once: what follows is the same. Returns the length of
-/// the longest history that had to be looked at.
+/// Histories that lead both sides to the same states are continued only once, because their continuations agree.
+/// Returns the length of the longest history that was needed.
 int compare(const CheckedRules& rules) {
     RuleProcess process(rules);
     std::vector<Place> waiting{{RuleMonitor(rules, WithoutLimit::eventually), {0}, "", 0}};
@@ -136,7 +136,7 @@ int compare(const CheckedRules& rules) {
     return waiting.back().length;
 }
 
-/// Of every length, so of twelve steps too.
+/// The comparison covers histories of every length, including twelve steps.
 TEST(RuleMonitor, AgreesWithTheCheckerOnAllHistories) {
     for (const char* rule : {
              "when Go then Stop within 2 seconds",
@@ -156,7 +156,7 @@ TEST(RuleMonitor, AgreesWithTheCheckerOnAllHistories) {
     }
 }
 
-/// A random rule that asks no measure.
+/// A random rule without conditions on measures.
 CheckedRules plain_rule(std::uint64_t seed) {
     for (;; seed += 1000) {
         std::mt19937_64 random(seed);
@@ -169,7 +169,7 @@ CheckedRules plain_rule(std::uint64_t seed) {
     }
 }
 
-/// Behind a violation both begin anew: of several duties of a rule, either side may follow any.
+/// After a violation both sides restart, because with several open duties each side may follow another one.
 TEST(RuleMonitor, AgreesWithTheCheckerOnRandomHistories) {
     std::uint64_t broken = 0, compared = 0;
     for (std::uint64_t seed = 1; seed <= tests::rounds(40) && !HasFailure(); ++seed) {
@@ -179,7 +179,7 @@ TEST(RuleMonitor, AgreesWithTheCheckerOnRandomHistories) {
         try {
             process = std::make_unique<RuleProcess>(rules);
         } catch (const NotDecided&) {
-            continue;  // several prohibitions behind each other
+            continue;  // nested prohibitions are not supported
         }
         ++compared;
         std::mt19937_64 random(seed);

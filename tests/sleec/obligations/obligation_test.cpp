@@ -1,5 +1,5 @@
-// What rules ask for: docs/rules-language.md, "What rules mean", row by row; and the arithmetic of windows against a
-// reading of the definition that tries every history.
+// The obligations of rules: docs/rules-language.md, "What rules mean", row by row; and the arithmetic of windows,
+// compared with an evaluation of the definition on every history.
 #include <gtest/gtest.h>
 
 #include "diagnostics/splitmix64.hpp"
@@ -13,7 +13,7 @@ namespace {
 using testing::Read;
 using testing::with_definitions;
 
-/// "Stop 0-5 | not Help 5-9": the demands of the first rule, events of with_definitions() by name.
+/// "Stop 0-5 | not Help 5-9": the obligations of the first rule, with events of with_definitions() by name.
 std::string demands(const std::string& rule, const Valuation& values = {0, 0, 0, 0},
                     WithoutLimit without = WithoutLimit::eventually) {
     Read read(with_definitions("R " + rule));
@@ -61,7 +61,7 @@ TEST(SleecObligations, TheLastTrueDefeaterDecides) {
     EXPECT_EQ(demands(rule, {1, 1, 6, 0}), "nothing");
 }
 
-/// Fault 2 of SLEEC-TK, rightly: a defeater in braces counts.
+/// Fault 2 of SLEEC-TK, done correctly: a defeater in braces counts.
 TEST(SleecObligations, DefeatersNestAsWritten) {
     const std::string rule = "when Go then Alarm within 2 seconds unless near then {Help within 3 seconds unless safe}";
     EXPECT_EQ(demands(rule, {0, 1, 0, 0}), "Alarm 0-2");
@@ -72,7 +72,7 @@ TEST(SleecObligations, DefeatersNestAsWritten) {
     EXPECT_EQ(demands(behind, {0, 1, 0, 0}), "nothing") << "nothing is asked if Stop is missed, so nothing at all";
 }
 
-/// Fault 1 of SLEEC-TK, rightly: >= of a scale.
+/// Fault 1 of SLEEC-TK, done correctly: >= of a scale.
 TEST(SleecObligations, ScalesAreOrdered) {
     const std::string rule = "when Go and load >= mid then Stop";
     EXPECT_EQ(demands(rule, {0, 0, 0, 0}), "nothing");
@@ -80,7 +80,7 @@ TEST(SleecObligations, ScalesAreOrdered) {
     EXPECT_EQ(demands(rule, {0, 0, 0, 2}), "Stop 0-");
 }
 
-/// Two samples of Go: its condition is over two measures, but says true or false.
+/// Go needs two samples: its condition depends on two measures, but only on its truth value.
 TEST(SleecSamples, AreWhatRulesDistinguish) {
     Read read(with_definitions("R1 when Go and level > 3 and near then Stop\nR2 when Halt and safe then Stop"));
     ASSERT_TRUE(read.checked_too().checked);
@@ -107,9 +107,9 @@ TEST(SleecSamples, AreNotDecidedWhereTheyCannotBe) {
     EXPECT_THROW((void)samples(*read.checked, {0}, 0, WithoutLimit::eventually, nullptr), NotDecided);
 }
 
-// ---------------------------------------------------------------- against the definition
+// ---------------------------------------------------------------- comparison with the definition
 
-/// Events 0 and 1 at seconds 0 to 7; windows end at 5 or never. A history is a bit for each event and second.
+/// Events 0 and 1 at seconds 0 to 7; windows end at 5 or never. A history has one bit for each event and second.
 constexpr std::int64_t seconds = 8;
 constexpr std::uint32_t histories = 1U << 16U;
 
@@ -160,7 +160,7 @@ TEST(SleecObligations, ImplyAsTheDefinitionSays) {
     EXPECT_GT(yes, 10);
 }
 
-/// Second by second: fulfilled and broken exactly where no history that begins alike does otherwise.
+/// Second by second: an obligation is fulfilled or violated only if all histories with the same prefix agree.
 TEST(SleecObligations, StepAsTheDefinitionSays) {
     std::uint64_t state = 7;
     for (int round = 0; round < 300; ++round) {
@@ -174,7 +174,7 @@ TEST(SleecObligations, StepAsTheDefinitionSays) {
                     if (occurs(history, event, second)) effect = take_event(obligation, progress, event);
                 if (effect == Effect::open) effect = take_tock(obligation, progress);
             }
-            if (effect == Effect::open) continue;  // what has no end is decided by no finite history
+            if (effect == Effect::open) continue;  // no finite history decides an obligation without an end
             EXPECT_EQ(effect == Effect::fulfilled, holds(obligation, history)) << "round " << round << ", " << history;
         }
     }

@@ -1,4 +1,4 @@
-// SLEEC-TK's semantics: every rule process equal to the published one, and all verdicts about pairs.
+// SLEEC-TK's semantics: the process of every rule equals the published one, and so do all verdicts about pairs.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -33,8 +33,8 @@ CheckedRules rules_of(const fs::path& path) {
     return *read.checked;
 }
 
-/// The published script of a file with our processes of the same rules behind it, and their equality asserted. They are
-/// put into a folder of their own with the range of numbers that the script needs.
+/// The published script of a file, followed by our processes for the same rules and assertions of equality. They are
+/// written into a separate folder with the range of numbers that the script needs.
 std::string unequal_rules(const std::string& name) {
     const fs::path folder = suite() / "FireFighter/robochart";
     const CheckedRules rules = rules_of(folder / (name + ".sleec"));
@@ -71,7 +71,7 @@ TEST(SleecEncoding, EqualsThePublishedProcesses) {
     EXPECT_EQ(unequal_rules("firefighter-valid"), "");
 }
 
-/// What is evaluated is what is written: the tree reads back equal from its text, and has types.
+/// The printed script parses to the tree that is evaluated, and type checks.
 TEST(SleecEncoding, ReadsBackAndHasTypes) {
     Read read(testing::with_definitions(
         "R1 when Go and level > 3 and near then Stop within 2 seconds otherwise Alarm\n"
@@ -97,7 +97,7 @@ TEST(SleecEncoding, RefusesWhatSleecTkDoesNotRead) {
     }
 }
 
-/// "fail pass no no" of each pair of verdicts.tsv, by file and rules.
+/// "fail pass no no" for each pair of verdicts.tsv, by file and rules.
 std::map<std::string, std::map<std::pair<std::string, std::string>, std::string>> expected_verdicts() {
     std::map<std::string, std::map<std::pair<std::string, std::string>, std::string>> result;
     std::istringstream table(tests::contents(suite() / "verdicts.tsv"));
@@ -130,8 +130,8 @@ std::string verdicts(cspm::Session& session, std::size_t pair) {
     return text;
 }
 
-/// The pairs of a file whose verdicts differ, or that one of the two tables lacks. (Two files of one name have rules of
-/// different names.)
+/// The pairs of a file whose verdicts differ, or that one of the tables lacks. (Two files with the same name have rules
+/// with different names.)
 std::string differences(const fs::path& path, std::map<std::pair<std::string, std::string>, std::string> expected) {
     const CheckedRules rules = rules_of(path);
     std::set<std::string> known;

@@ -1,5 +1,5 @@
-// Conflicts of random rule sets, by the analysis and by the naive enumeration. ROBOCHART_RANDOM_CHECKS and
-// ROBOCHART_RANDOM_SEED set how many (scripts/random_rules.sh).
+// Conflicts of random rule sets, by the analysis and by naive enumeration. ROBOCHART_RANDOM_CHECKS and
+// ROBOCHART_RANDOM_SEED select the number and the seed (scripts/random_rules.sh).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::string text_of(const std::set<std::vector<std::size_t>>& conflicts) {
     return text;
 }
 
-/// What the analysis says of all questions about some rules.
+/// The analysis' answers to all questions about a rule set.
 struct Analysed {
     std::set<std::vector<std::size_t>> forbidden, endless, asked;
     bool decided = true;
@@ -48,7 +48,7 @@ Analysed analysed(const CheckedRules& rules) {
 
 using Sets = std::set<std::vector<std::size_t>>;
 
-/// Without those that contain a smaller one of `others`.
+/// The sets that contain no smaller set of `others`.
 Sets without_larger(Sets sets, const Sets& others) {
     std::erase_if(sets, [&](const auto& each) {
         return std::any_of(others.begin(), others.end(), [&](const auto& other) {
@@ -58,7 +58,7 @@ Sets without_larger(Sets sets, const Sets& others) {
     return sets;
 }
 
-/// Of sets that were asked about, no part of which is in conflict.
+/// Compares the answers for the queried sets that have no conflicting subset.
 void compare_endless(const std::vector<testing::NaiveRule>& rules, const Analysed& found, const std::string& text) {
     for (const std::vector<std::size_t>& each : found.asked) {
         std::vector<testing::NaiveRule> subset;

@@ -12,7 +12,7 @@ constexpr int endless = std::numeric_limits<int>::max();
 constexpr std::size_t most_states = 6'000;
 constexpr int events = 4;
 
-/// An action with its window counted from the trigger.
+/// An action with its window, relative to the trigger.
 struct Part {
     bool negated = false;
     int event = 0, first = 0, last = 0;
@@ -20,7 +20,7 @@ struct Part {
 };
 using Parts = std::vector<Part>;
 
-/// One of the parts has to hold.
+/// At least one of the parts has to hold.
 struct Duty {
     Parts parts;
     int age = 0;
@@ -51,7 +51,7 @@ Fate on_event(Duty& duty, int event) {
 }
 
 Fate on_second(Duty& duty) {
-    int settled = 0;  // from here on nothing changes by time alone
+    int settled = 0;  // the age from which only events change the duty
     for (const Part& part : duty.parts) settled = std::max(settled, part.last == endless ? part.first : part.last + 1);
     ++duty.age;
     for (std::size_t i = 0; i < duty.parts.size(); ++i) {
@@ -63,7 +63,7 @@ Fate on_second(Duty& duty) {
     return fate(duty);
 }
 
-/// What the response asks for with these values; nothing where no duty is left.
+/// The parts that the response requires with these values; nullopt if there is no duty.
 std::optional<Parts> asked(const NaiveResponse& response, unsigned values) {
     const NaiveResponse::Defeater* deciding = nullptr;
     for (const auto& each : response.defeaters)
@@ -81,7 +81,7 @@ std::optional<Parts> asked(const NaiveResponse& response, unsigned values) {
 
 using State = std::set<Duty>;
 
-/// Every part that is left is an event that has to come now at the latest, or can never come again, and is forbidden.
+/// Every remaining part is a forbidden event that has to occur now at the latest, or that is forbidden forever.
 bool is_dead(const Duty& due, const State& open) {
     bool any = false;
     for (std::size_t i = 0; i < due.parts.size(); ++i) {
@@ -208,7 +208,8 @@ std::string text_of(const std::vector<NaiveRule>& rules) {
 
 std::vector<NaiveRule> random_rules(std::mt19937_64& random) {
     std::vector<NaiveRule> result(static_cast<std::size_t>(2 + number(random, 3)));
-    const bool alternatives = number(random, 4) == 0;  // one rule with several for one instant, the others forbid
+    const bool alternatives = number(random, 4) == 0;  // one rule with several alternatives at one instant; the other
+                                                       // rules forbid
     for (NaiveRule& each : result) {
         each.trigger = number(random, events);
         if (number(random, 3) == 0) each.condition = random_condition(random);

@@ -1,5 +1,6 @@
-// Conflicts of small rule sets by going through every history, from the definitions of docs/rules-language.md alone: no
-// limit on occurrences, no duty left out because another decides, nothing shared with sleec/ but the text of the rules.
+// Conflicts of small rule sets by enumeration of every history, directly from the definitions of
+// docs/rules-language.md. There is no limit on occurrences, and no duty is omitted because another one decides. It
+// shares only the text of the rules with sleec/.
 #pragma once
 
 #include <cstdint>
@@ -25,10 +26,10 @@ struct NaiveAction {
     bool negated = false;
     int event = 0;
     int from = 0;
-    std::optional<int> to;  ///< nothing: no limit
+    std::optional<int> to;  ///< nullopt: no limit
 };
 
-/// Actions with `otherwise` between them, and defeaters.
+/// Actions separated by `otherwise`, and defeaters.
 struct NaiveResponse {
     struct Defeater;
     std::vector<NaiveAction> chain;
@@ -51,20 +52,21 @@ struct NaiveRule {
 [[nodiscard]] std::string event_text(int event);
 /// A file with these rules, called R0, R1, ...
 [[nodiscard]] std::string text_of(const std::vector<NaiveRule>& rules);
-/// Rules over few events with short limits, so that windows meet.
+/// Rules over few events with short limits, so that their windows overlap.
 [[nodiscard]] std::vector<NaiveRule> random_rules(std::mt19937_64& random);
 
 enum class NaiveAnswer {
     none,
-    /// A history that keeps all of these rules so far leads to an instant at which a duty has to be fulfilled at last,
-    /// and every event that could fulfil it is forbidden by a duty of these rules.
+    /// Some history satisfies all these rules so far and reaches an instant at which a duty must be fulfilled, but
+    /// duties of these rules forbid every event that could fulfil it.
     forbidden,
-    /// Not that, but a history leads to an instant from which none that keeps the rules leads to the next second.
+    /// Not forbidden, but some history reaches an instant from which no history that satisfies the rules reaches the
+    /// next second.
     endless,
 };
-/// Whether all of these can be kept. Nothing: too many states.
+/// Whether all these rules can be satisfied. nullopt: too many states.
 [[nodiscard]] std::optional<NaiveAnswer> in_conflict(const std::vector<NaiveRule>& rules);
-/// The smallest subsets with a duty that is forbidden, by number. Nothing: too many states.
+/// The minimal subsets with a forbidden duty, as numbers of rules. nullopt: too many states.
 [[nodiscard]] std::optional<std::set<std::vector<std::size_t>>> smallest_conflicts(const std::vector<NaiveRule>& rules);
 
 }  // namespace robochart::sleec::testing

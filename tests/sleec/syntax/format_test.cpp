@@ -1,4 +1,4 @@
-// The standard layout: words and comments stay, lines are as docs/format.md says, and a second time nothing changes.
+// The standard layout: words and comments are kept, lines follow docs/format.md, and formatting is idempotent.
 #include "sleec/syntax/format.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// The grammar of both dialects (docs/rules-language.md): what is read, as which tree, and what is refused where.
+// The grammar of both dialects (docs/rules-language.md): accepted texts with their trees, and rejected texts with
+// places.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -13,7 +14,7 @@ namespace {
 using testing::Read;
 using testing::with_definitions;
 
-/// The first rule as it prints.
+/// The first rule as it is printed.
 std::string as_read(const std::string& rule) {
     const Read read(with_definitions("R " + rule));
     return read.diagnostics.ok() && !read.file.rules.empty() ? print(read.file.rules.front()) : read.findings();
@@ -31,7 +32,7 @@ TEST(SleecReader, ReadsEachFormOfRule) {
         EXPECT_EQ(as_read(rule), rule);
 }
 
-/// [TK]: `and` and `or` have one precedence and associate to the left; `not` applies to one comparison.
+/// [TK]: `and` and `or` have the same precedence and are left-associative; `not` applies to one comparison.
 TEST(SleecReader, AndAndOrBindAlikeFromTheLeft) {
     EXPECT_EQ(as_read("when Go and near or safe and level < 3 then Stop"),
               "when Go and (near or safe) and level < 3 then Stop");
@@ -40,7 +41,7 @@ TEST(SleecReader, AndAndOrBindAlikeFromTheLeft) {
     EXPECT_EQ(as_read("when Go and not level = 1 and near then Stop"), "when Go and not level = 1 and near then Stop");
 }
 
-/// The warning shows how the condition is read; its fix writes that down.
+/// The warning shows how the condition is parsed; its fix adds the parentheses.
 TEST(SleecReader, WarnsWhereTheTwoMeet) {
     const Read read(with_definitions("R when Go and near or safe and level < 3 then Stop"));
     EXPECT_EQ(read.findings(), "SLEEC-P10:7");
@@ -49,7 +50,7 @@ TEST(SleecReader, WarnsWhereTheTwoMeet) {
     EXPECT_EQ(Read(with_definitions("R when Go and near and safe then Stop")).findings(), "");
 }
 
-/// [TK]: unbraced, a defeater belongs to the whole response, not to what stands behind `otherwise`.
+/// [TK]: without braces, a defeater belongs to the whole response, not to the part after `otherwise`.
 TEST(SleecReader, DefeatersBelongToTheWholeResponse) {
     const Read read(with_definitions("R when Go then Stop within 2 seconds otherwise Alarm unless near"));
     const Response& response = *read.file.rules.at(0).response;
@@ -136,7 +137,7 @@ TEST(SleecReader, GoesOnAtTheNextRule) {
     const Read read(
         with_definitions("R1 when Go Stop\nR2 when Go then\nR3 when Go then Stop within 5\n"
                          "R4 when Go then Stop\nR5 wehn Go then Stop"));
-    // R2 asks for an event R3, whose own rule is then broken.
+    // R2 lacks its response, so it takes the event name R3; the rest of rule R3 is then an error.
     EXPECT_EQ(read.findings(), "SLEEC-P01:7 SLEEC-P01:9 SLEEC-P01:11");
     EXPECT_EQ(read.file.rules.size(), 2U);
 }
@@ -175,7 +176,7 @@ TEST(SleecReader, LimitsNestingAndChains) {
 }
 
 struct Mistake {
-    const char* text;  ///< of a rule, or of a whole file where it begins with "def_start" or "rule_start"
+    const char* text;  ///< text of a rule, or of a whole file if it starts with "def_start" or "rule_start"
     const char* note;
 };
 

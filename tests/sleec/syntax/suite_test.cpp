@@ -1,5 +1,5 @@
-// Published and other files of rules: each is read, and what is printed of it reads back as the same tree; changed at
-// random, each is read or refused.
+// Published and other files of rules: each is parsed, and its printed text parses to the same tree. Randomly changed
+// files are parsed or rejected.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,8 +47,8 @@ TEST(SleecSuite, EveryFileIsReadAndReadsBack) {
     }
 }
 
-/// What the files are known for: their dialect, `low` for `low1` in SafeSCAD, its two rules R7_1, and conditions where
-/// `and` meets `or` (the `and` behind the event is none).
+/// Known properties of the files: their dialect, `low` for `low1` in SafeSCAD, its two rules R7_1, and conditions that
+/// mix `and` and `or` (the `and` after the event does not count).
 TEST(SleecSuite, FindingsAreThose) {
     if (published().empty()) GTEST_SKIP() << "the published files are not there";
     std::map<std::string, std::string> findings;
@@ -69,8 +69,8 @@ TEST(SleecSuite, FindingsAreThose) {
     EXPECT_EQ(findings, expected);
 }
 
-/// Words are exchanged, left out, or doubled; bytes are changed. Nothing ends in a fault, and what is accepted reads
-/// back.
+/// Words are exchanged, omitted or doubled, and bytes are changed. No change causes a crash, and accepted texts can be
+/// printed and parsed again.
 TEST(SleecSuite, ChangedTextsAreReadOrRefused) {
     std::vector<std::string> texts{testing::with_definitions(
         "R1 when Go and near or safe then Stop within MAX minutes otherwise {Help unless level > 3} unless near\n"
