@@ -22,7 +22,7 @@ Json statistics(const refine::Statistics& s) {
 /// The counterexample as text, as events of the script, and as data.
 Json counterexample(const runs::Run& run) {
     const auto loop = run.raw.end() - static_cast<std::ptrdiff_t>(run.raw_loop);
-    Json json{{"story", runs::text(run, indent_of_runs)}, {"events", std::vector<std::string>(run.raw.begin(), loop)}};
+    Json json{{"text", runs::text(run, indent_of_runs)}, {"events", std::vector<std::string>(run.raw.begin(), loop)}};
     json["loopEvents"] = std::vector<std::string>(loop, run.raw.end());
     json.update(runs::json(run));
     return json;
@@ -110,10 +110,10 @@ Json conformance_json(const ConformanceReport& c) {
     if (r.explanation.run) json["explanation"]["run"] = runs::json(*r.explanation.run);
     if (!r.warnings.empty()) json["warnings"] = r.warnings;
     if (r.api_difference)
-        json["faces"] = {{"event", r.api_difference->event},
-                         {"differs", r.api_difference->what},
-                         {"step", behaviour(r.api_difference->cycle)},
-                         {"dispatch", behaviour(r.api_difference->dispatched)}};
+        json["apiDifference"] = {{"event", r.api_difference->event},
+                                 {"differs", r.api_difference->what},
+                                 {"step", behaviour(r.api_difference->cycle)},
+                                 {"dispatch", behaviour(r.api_difference->dispatched)}};
     if (r.register_cycles) json["registerCycles"] = aside(*r.register_cycles);
     if (r.deadlines) json["deadlinesMet"] = aside(*r.deadlines);
     for (const conformance::MissedEvent& each : r.missed) json["missedEvents"].push_back(missed(each));

@@ -278,7 +278,7 @@ diagnostics::Json run_json(const ReportedRun& reported) {
     return {{"log", reported.path},    {"line", run.at_line},
             {"run", run.name},         {"verdict", run.verdict == RunVerdict::rejected ? "rejected" : "inconclusive"},
             {"cycle", run.cycle},      {"logged", run.what},
-            {"reason", run.reason},    {"sofar", run.cycle_so_far},
+            {"reason", run.reason},    {"cycleSoFar", run.cycle_so_far},
             {"before", run.before},    {"allowed", run.allowed},
             {"elements", run.elements}};
 }
@@ -295,7 +295,7 @@ std::string totals_json(const Totals& totals, Exit exit) {
                            {"limit", totals.limit},
                            {"seconds", diagnostics::rounded(totals.seconds, 3)},
                            {"exit", static_cast<int>(exit)}};
-    diagnostics::Json& runs = json["told"] = diagnostics::Json::array();
+    diagnostics::Json& runs = json["reported"] = diagnostics::Json::array();
     for (const ReportedRun& reported : totals.reported) runs.push_back(run_json(reported));
     return diagnostics::json_text(json) + "\n";
 }

@@ -45,10 +45,10 @@ TEST(ApiDifference, ADifferenceIsDataInJson) {
     const auto json = nlohmann::json::parse(render_json(differing())).at("conformance").at(0);
     EXPECT_EQ(json.at("outcome"), "differs");
     EXPECT_EQ(json.at("dispatched"), 1234);
-    EXPECT_EQ(json.at("faces").at("event"), "v = 1");
-    EXPECT_EQ(json.at("faces").at("step").at("outputs"), (nlohmann::json{"x(1)", "y()"}));
-    EXPECT_EQ(json.at("faces").at("dispatch").at("ends"), "terminated");
-    EXPECT_EQ(json.at("faces").at("dispatch").at("state"), "state=C");
+    EXPECT_EQ(json.at("apiDifference").at("event"), "v = 1");
+    EXPECT_EQ(json.at("apiDifference").at("step").at("outputs"), (nlohmann::json{"x(1)", "y()"}));
+    EXPECT_EQ(json.at("apiDifference").at("dispatch").at("ends"), "terminated");
+    EXPECT_EQ(json.at("apiDifference").at("dispatch").at("state"), "state=C");
 }
 
 }  // namespace

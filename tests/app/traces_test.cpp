@@ -204,9 +204,9 @@ TEST(Traces, JsonTellsWhatWasRejected) {
     const auto report = nlohmann::json::parse(ran.out);
     EXPECT_EQ(report["schema"], "robochart-verify/traces/1");
     EXPECT_EQ(report["rejected"], 1);
-    EXPECT_EQ(report["told"][0]["line"], 4);
-    EXPECT_EQ(report["told"][0]["logged"], "the end of the cycle");
-    EXPECT_THAT(report["told"][0]["allowed"][0].get<std::string>(), HasSubstr("angularSpeed = -0.75"));
+    EXPECT_EQ(report["reported"][0]["line"], 4);
+    EXPECT_EQ(report["reported"][0]["logged"], "the end of the cycle");
+    EXPECT_THAT(report["reported"][0]["allowed"][0].get<std::string>(), HasSubstr("angularSpeed = -0.75"));
 }
 
 }  // namespace

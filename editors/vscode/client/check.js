@@ -24,7 +24,7 @@ function valueOf(row) {
 /** What is shown of a report: each check with its answer, and the text of its counterexample. */
 function linesOf(report) {
     return (report.assertions ?? []).flatMap((each) => {
-        const text = each.counterexample?.story;
+        const text = each.counterexample?.text;
         const values = (each.probability?.rows ?? []).map(valueOf);
         return [`${each.answer}: ${each.title}`, ...values, ...(text === undefined ? [] : [text.trimEnd()])];
     });

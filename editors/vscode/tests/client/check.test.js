@@ -36,7 +36,7 @@ test("an assertion is as good as the worst of its checks", () => {
 
 test("the program is run without a shell, and its report is read", async () => {
     const failing = report("holds", "fails");
-    failing.assertions[1].counterexample = { story: "  t0: i -> S1\n" };
+    failing.assertions[1].counterexample = { text: "  t0: i -> S1\n" };
     const { program, words } = standIn(JSON.stringify(failing), "", 1);
     const name = "A; touch x $(y)";
     const found = await checkAssertion(program, "/p/a b.assertions", name);
