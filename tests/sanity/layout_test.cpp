@@ -70,14 +70,6 @@ TEST(Layout, AtMostTwoUnitsIncludeEachOther) {
         EXPECT_LE(group.size(), 2U) << ::testing::PrintToString(group);
 }
 
-TEST(Layout, FoldersCanBeReadAtAGlance) {
-    constexpr std::size_t most = 32;
-    std::map<std::string, std::size_t> sizes;
-    for (const auto& path : files(root(), {".cpp", ".hpp"}))
-        ++sizes[std::filesystem::relative(path.parent_path(), root()).string()];
-    for (const auto& [folder, size] : sizes) EXPECT_LE(size, most) << folder;
-}
-
 TEST(Layout, CyclesAreFound) {
     EXPECT_THAT(cycles({{"a", {"b"}}, {"b", {"c"}}, {"c", {"a", "d"}}, {"d", {}}}),
                 ::testing::ElementsAre(std::vector<std::string>{"a", "b", "c"}));

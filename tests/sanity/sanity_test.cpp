@@ -51,13 +51,6 @@ TEST(Sanity, NoLeftovers) {
     }
 }
 
-TEST(Sanity, FilesCanBeHeldInTheHead) {
-    for (const fs::path& path : files(root(), {".hpp", ".cpp"})) {
-        const std::string text = contents(path);
-        EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 800) << path;
-    }
-}
-
 /// Text from models is ForeignText until a function of diagnostics/escape.hpp returns it. This test lists the files
 /// that access it directly: those that compute with its characters, and those that pass it to a syntax tree whose
 /// printer escapes it.
