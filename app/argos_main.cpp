@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // robochart-simulate-argos SCENARIO: the verb `simulate` in ARGoS.
 #include "app/verbs/simulate.hpp"
 #include "simulation/adapters/argos/argos_stage.hpp"

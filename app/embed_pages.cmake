@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Writes OUTPUT, a C++ source that contains every page of FOLDER as a raw string (app/command/rule_pages.hpp).
 # cmake -DFOLDER=docs/rules -DOUTPUT=page_texts.cpp -P embed_pages.cmake
 file(GLOB pages ${FOLDER}/*.md)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // robochart-simulate-enki SCENARIO: the verb `simulate` in Enki. This program is linked with Enki and is therefore
 // GPL-2+.
 #include "app/verbs/simulate.hpp"

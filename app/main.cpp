@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // robochart-verify: the command.
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Measures the tables of docs/benchmarks.md and prints each next to the table of the document.
 
 A table that needs files which are not in the repository is not measured: its line says which files, and where the public

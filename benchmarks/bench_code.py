@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Generated code against hand-written switches: speed, size, compile cost. Called by scripts/bench_code.sh.
 
 Usage: bench_code.py COMMAND LAYOUTS COMPILER STRATEGY

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Checks the high-voltage controller from scratch, then again after edits of its smaller machines, with what earlier
 runs have kept (docs/cli.md, "Again and again").
 

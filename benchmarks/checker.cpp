@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // States per second of the checker on dining philosophers: evaluation, operational semantics and search together.
 #include <benchmark/benchmark.h>
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Generates the state spaces of benchmarks/models with our checker, and compares with the figures of mCRL2, LTSmin and SPIN
 that benchmarks/models/peers.tsv records. With --foreign FOLDER the tools that are installed also run, on the folder's
 MODEL.mcrl2 and MODEL.pml.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Crossings of our diagrams beside those of ELK's layered layout on the same boxes, with the same labels:
 // `node compare_layouts.mjs ELK < PICTURES`. ELK: the file elk.bundled.js of the npm package elkjs; PICTURES: what
 // `benchmark_diagrams --pictures` prints. ELK lays out each level alone, as we do, downwards and to the right, with the

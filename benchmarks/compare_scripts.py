@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Compares our scripts for the models of RoboTool's published ones with those: bytes, and the states of every component's
 compressed process (O__, timed with tock visible).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nanoseconds of one control cycle of the generated controllers, events known only at run time.
 #include <benchmark/benchmark.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The clock of benchmarks that hold two things against one another in one thread.
 #pragma once
 

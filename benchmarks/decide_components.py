@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Decides deadlock, divergence and determinism of every component (module, controller, machine, operation) of
 RoboTool's own scripts: of each `X::O__(id, constants...)`, timed scripts as they stand, with tock visible.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Decides the assertions of the high-voltage controller, one program each: from the script that RoboTool wrote for it,
 or, with --own, from the script that we write for its model.
 

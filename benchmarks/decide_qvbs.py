@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """The models of the Quantitative Verification Benchmark Set (shared/suite/prism/qvbs) by `robochart-verify prism`: values compared with those of
 the set, states with its counts, and CPU seconds beside those that four checkers took in QComp 2020 for the same questions.
 

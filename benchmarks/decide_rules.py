@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """A rule in SLEEC about a model whose measures have many values: `robochart-verify rules` beside SLEEC-TK's published encoding of the same question.
 
 The published encoding (arXiv 2307.03697) puts the rule beside memories: each measure is read once in each second, in a fixed order, its value is kept

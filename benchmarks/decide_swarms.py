@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Decides the claims of benchmarks/models/grid.swarm about robots of corpus/alpha, for numbers of robots and sizes of the
 grid. Prints a line for each claim: its answer, the states that were searched, and what the run of all claims took. Exits
 with 1 where a claim is not decided or has another answer than it must have, with 3 where the program does not answer or

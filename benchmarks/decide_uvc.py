@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """The six sets of constants of the UVC case study, nineteen values each, and its deadlock check, by `robochart-verify prism`: compares states,
 transitions and values with the reference, and prints seconds beside those that PRISM 4.6 took (shared/suite/prism/uvc/EXPECTED.tsv).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How long diagrams take: benchmark_diagrams MODEL... reads each file or folder alone and draws every component of it
 // as SVG, ten times; the least of each counts. The bars: 95 % below 5 ms, all below 50 ms. With --pictures as the first
 // argument it prints the diagrams as JSON instead, one a line: boxes and lines with their places, for

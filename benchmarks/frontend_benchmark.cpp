@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The front end on generated projects of 5,000 to 50,000 lines: reading, parsing, resolution with all rules; lines a
 // second, bytes of memory a line, and whether time grows linearly.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How long an editor waits after a keystroke in a project of 20 files: from `didChange` to the diagnostics, and for a
 // completion after that. Prints medians and percentiles, by the clock and, for machines that are shared, of CPU time.
 //   benchmark_lsp [FILES] [KEYSTROKES] [MACHINES]

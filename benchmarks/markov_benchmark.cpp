@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How fast Markov models are solved: benchmark_markov [SIDE]. The model is a walk on a square of SIDE x SIDE cells
 // (1,000 unless given) whose opposite sides touch: one strongly connected component. Each step may end it, in one of
 // two ways. In the decision process the walker also chooses whether to move along rows or along columns.

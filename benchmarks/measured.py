@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs a program and measures what this one child takes (wait4: other children do not count)."""
 
 import os

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What monitors beside every controller add to a step: benchmark_monitor ROUNDS SCENARIO... The same trial runs twice
 // in one thread, with and without, a block of steps each in turn, on the thread's own clock; the tables are made
 // before, once. Median: of the ratios of all pairs of blocks. Minimum: the least of all rounds of every block, summed.

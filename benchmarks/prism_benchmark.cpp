@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exploration of PRISM models, interpreted: states a second, and bytes a state beyond the matrix, for a chain whose
 // commands act alone, for a decision process whose commands act together, and for a model that is given:
 // benchmark_prism [MODEL.prism [CONSTANTS]]; steps a second of random paths. What other checkers are recorded with

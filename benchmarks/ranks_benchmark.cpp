@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Searches by levels with threads as ranks, more of them than cores (docs/scale.md): what each rank's processor did,
 // level by level. The critical path is the sum over levels of the largest processor time of a rank: what a search would
 // take if every rank had a core of its own and messages took no time. Beside it what a model predicts from the widths

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """What the reduction of confluent taus costs where it may not pay: locks, monitors and schedulers of several sizes.
 
 Writes the scripts, decides their assertions with and without --no-reduction, one thread, no cache, and prints for each the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scenario with more robots at the same density, for benchmarks that grow.
 #pragma once
 

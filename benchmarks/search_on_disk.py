@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Searches with checkpoints, and with states on disk, beside the ordinary search (docs/search.md, "Out of core").
 
 Prints for each model the processor time as a ratio of the ordinary search, the memory at the peak above that of the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Robot-steps a CPU second of the embedded world and of Enki, the generated controller included, in one run:
 // benchmark_simulation SCENARIO. The scenario's robots are replaced by 20, 100 and 1,000 at the same density.
 #include <fmt/format.h>

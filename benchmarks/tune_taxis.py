@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Tunes both radii and the patience of swarm taxis from random starts, with `tune` and, where R has it, with irace at the
 same budget of trials, and judges what each finds, and the paper's values, on the scenario's own seeds.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # ARGoS 3 (https://github.com/ilpincy/argos3), built from its sources; -DARGoS_ROOT=PREFIX where it is installed elsewhere
 # than in the system. ARGoS' own configuration changes compiler flags and stops with an error in other prefixes, so its
 # header and libraries are looked for here. Gives ARGoS_FOUND, ARGoS_LIBRARY_DIR and the target ARGoS::ARGoS: the core and the

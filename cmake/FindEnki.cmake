@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Enki (https://github.com/enki-community/enki), Debian: libenki-dev. Enki's own configuration asks for Qt even where no
 # viewer is wanted, so its header and library are looked for here. Gives Enki_FOUND and the target Enki::Enki.
 find_path(Enki_INCLUDE_DIR enki/PhysicalEngine.h)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # ccache and mold are used where they are found; neither is needed.
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # A component is a folder; its sub-folders are named in the order in which they depend on each other (docs/architecture.md).
 # Sources are found by name: a file belongs to the folder that it lies in.
 

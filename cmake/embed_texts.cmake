@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Builds the texts of a folder into the program, as a function from a path below it to the text there.
 # cmake -DFOLDER=DIR -DHEADER=FILE -DNAMESPACE=N -DFUNCTION=F -DOUTPUT=FILE.cpp -P embed_texts.cmake
 # HEADER declares `std::string F(std::string_view path);` in NAMESPACE.

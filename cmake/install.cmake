@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # What is installed beside the program and the libraries of the language: man page, completions, licences, examples, the
 # documents; and a target that removes what was installed. Headers of generated code are not: they are built into the program,
 # which writes them with the code.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Installs README.md, CHANGELOG.md and the pages of docs/ in one folder and adapts their links. docs/README.md becomes
 # DOCUMENTS.md, because README.md is in the same folder. A link to a file that is only in the sources becomes plain text.
 # The installation runs this with `sources`, `build` and `destination`.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Packages: `cpack` in a build tree of the preset `package` makes a .deb and a .tar.gz that can be unpacked anywhere.
 # scripts/package.sh does so, and tries both.
 set(CPACK_GENERATOR "TGZ;DEB")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # With ROBOCHART_PORTABLE the program needs no library but the C library: libstdc++, libgcc, libsodium and Expat are linked statically,
 # and fmt, of which Debian has a shared library alone, is compiled from its headers. ROBOCHART_FMT is what to link. Generated
 # code that the program loads brings the libstdc++ of its compiler: the interface between the two is C, and no exception and

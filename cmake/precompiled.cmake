@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Headers of the standard library, of fmt and of GoogleTest, which nearly every test reads, are compiled once: two to four
 # seconds of processor time of each group of sources are theirs. Such a build does not notice a header that a test forgets
 # to include; the other presets do.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # For CMake projects that contain RoboChart models: `find_package(robochart-verify)`, then
 #
 #   robochart_verify(MODEL <file or folder> [NAME <test>] [VERB verify|check|conform|validate] [OPTIONS <option>...]

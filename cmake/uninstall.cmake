@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Removes the files that the last `cmake --install` of a build tree wrote. Folders stay: others may use them.
 # cmake -DMANIFEST=build/install_manifest.txt -P uninstall.cmake
 if(NOT EXISTS ${MANIFEST})

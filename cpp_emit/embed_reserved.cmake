@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Builds the lists of cpp_emit/reserved into the program: one sorted table of names for each list.
 set(text "// Lists of cpp_emit/reserved, built in by embed_reserved.cmake.\n#include \"cpp_emit/plan/reserved.hpp\"\n\nnamespace robochart::cpp_emit {\n\n")
 foreach(list macros globals own_types own_members)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The emission of one component: resolves it, rejects what cannot be generated, writes its files.
 #include "cpp_emit/emit.hpp"
 

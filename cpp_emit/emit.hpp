@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts the shared IR to C++ controllers: the founding paper's class mapping (Li et al., 2017) over a core with
 // value-type state and a step function that runs to quiescence. Independent of the CSP semantics.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The files in the project of a target; see project.hpp.
 #include "cpp_emit/project.hpp"
 

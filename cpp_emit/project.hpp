@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Projects around the classes of one component, one for each target, with everything needed to build it. The constant
 // parts are the texts in cpp_emit/projects, in which names between @ signs are replaced. Private to this component.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The emission for simulators; see simulator_api.hpp.
 #include "cpp_emit/simulator_api.hpp"
 

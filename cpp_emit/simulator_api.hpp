@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The controller for programs that run many instances at once (simulators): the same core with its deployed types,
 // called through the C interface of runtime/drive_abi.h.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "csp_emit/assertion_forms.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The CSPM forms of assertions about one process, as RoboTool generates them and FDR decides them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One CSPM form for each kind of property, as RoboTool generates it and FDR decides it.
 #include "csp_emit/assertions.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Assertions of the model as CSPM assertions (docs/semantics.md, "Assertions").
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See block_claims.hpp. Definitions are followed by name, for all arguments: a set counts with all events that it may
 // contain.
 #include "csp_emit/block_claims.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The claims that CSP blocks make as assert lines, and errors in claims about processes of blocks that are visible
 // without a search.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See block_constants.hpp.
 #include "csp_emit/block_constants.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One constant has several names in a block Instantiations: the machine's own (`const_P_S_c`) and one for each place in
 // which a controller runs the machine (`const_P_C_ref_c`). In every claim about a controller or a module, RoboTool sets
 // the second to the first, so the machine's own name decides if a block defines it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See block_definitions.hpp.
 #include "csp_emit/block_definitions.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The definitions in blocks Instantiations, with their places in the users' files.
 #pragma once
 

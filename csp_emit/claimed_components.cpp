@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "csp_emit/claimed_components.hpp"
 
 #include <map>

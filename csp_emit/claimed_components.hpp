@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds the components that expressions of a script mention, directly or through definitions of CSP blocks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The properties that are checked for every model, even if it does not claim them (docs/semantics.md, "Core
 // properties").
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The untimed or timed script: library, data, instantiations, components by package, CSP blocks, assertions.
 #include "csp_emit/emit.hpp"
 

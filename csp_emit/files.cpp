@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scripts as files for FDR, laid out as RoboTool does (semantics 3.1): definitions, and assertions that include them.
 #include <fmt/format.h>
 

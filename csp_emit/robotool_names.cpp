@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Maps old names in CSP blocks to today's. Generators of 2021 and 2022 had no modules: they wrote `S_e`, `S_O` and
 // `S_moveCall` for today's `P::S::e`, `P::S::O__` and `P::S::moveCall`, an event `moveRet` at the end of a call of
 // `move`, and `enteredV.SID_s` for the entry of a state. Today's names, which the script has, are taken from scripts of

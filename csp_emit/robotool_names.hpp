@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names in CSP blocks that RoboTool has or had and that this script does not have.
 #pragma once
 

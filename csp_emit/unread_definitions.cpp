@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See unread_definitions.hpp.
 #include "csp_emit/unread_definitions.hpp"
 

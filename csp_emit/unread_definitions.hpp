@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds definitions in blocks Instantiations that nothing reads. The script contains the generated value if a block
 // leaves one out, so a misspelt name would silently change verdicts. With RoboTool's script, FDR stops at the missing
 // name.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Memory is the resident memory of this program and of the processes that it has started, as reported by the system.
 // The memory of a compiler of generated code counts as much as that of a search.
 #include "diagnostics/budget.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The resources of one run: time and memory. The run may also be interrupted. Every phase polls the budget. When a
 // limit is reached, an exception names it and the active phase. The budget also records what must be removed when the
 // run ends.

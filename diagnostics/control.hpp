@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ASCII control characters in the languages that the project writes. Those with a letter are written alike in all
 // languages (`\n`); the others are written as numbers, in the form of each language.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A POSIX file descriptor that is closed by its owner's destructor.
 #pragma once
 

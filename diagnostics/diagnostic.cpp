@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fills in the pattern of a rule, and collects findings in a stable order.
 #include "diagnostics/diagnostic.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Diagnostics as data: a rule from a table, a place, arguments. render.hpp draws them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of the program. Destroying gigabytes of small objects takes seconds. When no more work follows, such objects
 // are not destroyed, and the system frees the memory of the process at once.
 #pragma once

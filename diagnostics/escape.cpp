@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One escape function for each language. Each decodes the text once and escapes the characters that have a meaning in
 // the language.
 #include "diagnostics/escape.hpp"

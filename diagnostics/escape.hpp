@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts text from outside (string literals of models, names of files) to the languages that the project writes: one
 // function per language; json.hpp handles JSON. Until then, such text has the type ForeignText. Only these functions
 // convert it, so that it cannot be inserted unescaped.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See excerpt.hpp. Only the bytes around the mark are processed, so that a line of many megabytes is not slow.
 #include "diagnostics/excerpt.hpp"
 

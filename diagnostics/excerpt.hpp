@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One source line with a marked range, prepared for a terminal.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Below the root, every step goes from an open folder to a name in it (openat, mkdirat, renameat with O_NOFOLLOW). So a
 // link that is inserted between a check and its use is not followed.
 #include "diagnostics/files.hpp"

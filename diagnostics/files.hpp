@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds files, and reports those that cannot be read. Writes files safely: a file gets an unpredictable name first and
 // is moved to its place when it is complete. Below a given folder, no symbolic link is followed.
 #pragma once

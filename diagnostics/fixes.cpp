@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Selects fixes that do not overlap, preferring earlier ones in the text, and applies them in one pass.
 #include "diagnostics/fixes.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Applies fixes to texts.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // JSON values as text, and diagnostics as JSON for programs.
 #include "diagnostics/json.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // JSON for programs: nlohmann's ordered_json, whose keys keep their order, and its text.
 #pragma once
 

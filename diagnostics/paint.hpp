@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Colours of texts for people, as terminal escape sequences. The caller decides whether to use them
 // (app/command/output.hpp: color_wanted).
 #pragma once

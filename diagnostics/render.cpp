@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Diagnostics for people: header, place, excerpt with caret, notes and certain fixes.
 #include "diagnostics/render.hpp"
 

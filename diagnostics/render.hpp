@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Draws diagnostics: for people (excerpt, caret, notes) and for programs (JSON).
 #pragma once
 

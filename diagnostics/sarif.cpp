@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Diagnostics as SARIF 2.1.0 (OASIS, 2020): one run, the rules that occur with their help texts, places with columns in
 // code points, fixes as replacements.
 #include <fmt/format.h>

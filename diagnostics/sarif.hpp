@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The frame and the parts of a SARIF 2.1.0 log of this program.
 #pragma once
 

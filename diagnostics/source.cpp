@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Source texts: stores them, reads files, and converts byte offsets to lines and columns.
 #include "diagnostics/source.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Source texts and places in them. All readers (RoboChart, CSPM, scenarios) use these types, so that one renderer can
 // draw all diagnostics.
 #pragma once

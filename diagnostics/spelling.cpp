@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The edit distance is optimal string alignment: Damerau's four edits, where no part of a word is edited twice.
 #include "diagnostics/spelling.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Suggests the known word that is nearest to a misspelt word.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "diagnostics/utf8.hpp"
 
 namespace robochart::diagnostics {

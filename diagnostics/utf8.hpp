@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decodes text that should be UTF-8 but may contain any bytes.
 #pragma once
 

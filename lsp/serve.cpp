@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The main loop over streams. A separate thread reads. So a cancellation is noticed before its request is started or
 // while it is handled, and diagnostics wait while the editor is still sending.
 #include <condition_variable>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The protocol states, requests and notifications of the server, and the diagnostics that it sends when no message is
 // queued.
 #include "lsp/server.hpp"

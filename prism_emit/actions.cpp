@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Statements: one command per statement (R9, R13, R14).
 #include <algorithm>
 #include <utility>

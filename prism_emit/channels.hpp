@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Follows events of machines through the connections of controllers and modules to PRISM's labels and buffers (R2, R12,
 // R13).
 #pragma once

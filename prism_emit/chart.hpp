@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The normal form of a state machine that RoboTool makes before the encoding (R7, R11).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Data that all parts of one emission share: the module, the model under construction, its names.
 #pragma once
 

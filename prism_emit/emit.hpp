@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RoboTool's encoding of a module in PRISM (translate2prism), rule by rule. docs/prism-encoding.md contains the rules
 // R1 to R16; the sources quote the statement of each. In a dtmc every step takes part in a uniform choice, so the
 // number and kind of steps affect all results; they are the same here. Names and order may differ.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts expressions of the IR to PRISM.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A state machine with its operations as one module of PRISM (R2 to R11, R14).
 #pragma once
 

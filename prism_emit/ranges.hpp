@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Restricts updates so that they stay in the ranges of their variables in every state, reachable or not. PRISM's
 // engines that use decision diagrams require this.
 #pragma once

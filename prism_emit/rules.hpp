@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules about constructs that RoboTool's encoding in PRISM does not support. They are rejected by name, because a wrong
 // number is worse than none.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Distinguishes copies of one component that run together. It finds the copy to which each sequential component of a
 // run belongs, and the copy that performs an event of the whole process. Machines of different copies have the same
 // name in the model; the copy is appended.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "runs/evaluation_failure.hpp"
 
 #include <fmt/format.h>

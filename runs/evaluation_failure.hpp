@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Describes an error of evaluation in terms of the model, as the reason why an assertion has no answer. Every verb
 // reports such errors with these functions.
 #pragma once

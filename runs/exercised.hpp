@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds the elements of the model that the reachable states of a process exercise: transitions that fire and statements
 // that are executed. It searches the states of the operational semantics breadth-first; the steps show what each
 // component does.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The states that stepping by hand can reach, breadth-first and up to a limit, as data for a page that steps without
 // the checker. Offers, machines and absences are those of Stepper. This file contains the types and the function that
 // computes them.

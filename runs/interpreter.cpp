@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The meaning of a step comes from the components that move. If the states of the run are not terms, because the
 // reference semantics had no time to replay it, the meaning comes from the names of the whole process.
 #include "runs/interpreter.hpp"

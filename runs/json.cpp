@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Empty values are omitted, except for lists that readers always iterate over.
 #include "runs/json.hpp"
 

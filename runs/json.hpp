@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs as JSON: schema "robochart-verify/run/1" (docs/cli.md).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // csp_emit::Provenance, which is made together with the script, records the meaning of the names.
 #include "runs/meanings.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Translates names of the script to terms of the model: events, and the definitions that a process is in.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A run of a component in terms of the model, as data: the contents of a counterexample. Renderers (text, JSON, a
 // diagram, an editor) use only this and need no knowledge of CSP. This file contains only types; interpreter.hpp makes
 // runs.

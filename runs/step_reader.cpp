@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See step_reader.hpp.
 #include "runs/step_reader.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Describes the steps of processes in terms of the model. The meaning of a step is what each sequential component does
 // in it, by the component's own name of the event. Counterexamples, the search for transitions that never fire, and
 // stepping by hand use it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A process that is stepped by hand: its current state, the offers there, and the steps so far. The steps are those of
 // the operational semantics, which is also used to replay counterexamples. Similar to the probe of FDR and the
 // simulator of UPPAAL.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The structure of a process in its current state: its operators as a tree, and what each component offers, as in the
 // probe of FDR.
 #pragma once

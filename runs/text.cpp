@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // If the run has several machines, each step is printed with the machine that performs it.
 #include "runs/text.hpp"
 

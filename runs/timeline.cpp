@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Collects the leaves of the behaviour's tree, with the moments in which they move and between which they exist.
 // Moments are numbered when all are known.
 #include "runs/timeline.hpp"

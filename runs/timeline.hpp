@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A run, moment by moment: which sequential components move, by which of their own events, and the state of each of
 // them. Steps inside a compressed process, which the run of the whole process does not show, are separate moments.
 #pragma once

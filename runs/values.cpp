@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // checker/cspm/eval/value_text.cpp prints values; csp_emit/base/types.cpp defines how they represent values of the
 // model.
 #include "runs/values.hpp"

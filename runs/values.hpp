@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts values as printed by the checker to the notation of the model.
 #pragma once
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The checker's benchmark: builds the command in release form and nothing else, explores the models of benchmarks/models and
 # prints the figures with those of other tools: recorded ones, and measured ones if a tool is installed and
 # ROBOCHART_SHARED/bench/models has the models in its language (docs/benchmarks.md). Arguments are passed on: --quick, models.

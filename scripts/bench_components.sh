@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Deadlock, divergence and determinism of every component of RoboTool's scripts: builds our command in release form
 # and nothing else, decides them all and prints time and memory (docs/benchmarks.md). Arguments are passed on: parts of
 # names of scripts. The scripts' folder: ROBOCHART_SHARED/suite/robotool-csp; the script of the case study in bench/hvc

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # How long diagrams take, and how often their lines cross, beside ELK's layered layout on the same boxes: fetches the npm
 # package elkjs into a temporary folder, builds benchmark_diagrams, prints both (docs/benchmarks.md, "Diagrams").
 # Usage: scripts/bench_diagrams.sh [MODEL...]; the default: the corpus, the models of the tests, and those of

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Searches with checkpoints and with states on disk beside the ordinary one: builds our command in release form and
 # nothing else (docs/search.md, "Out of core"). Arguments: SCRIPT:NUMBER of assertions, instead of phils8 and milner18.
 # The models: ROBOCHART_SHARED/bench.

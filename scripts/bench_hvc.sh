@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The high-voltage controller's assertions, from RoboTool's own script or with --own from the model through ours: builds
 # our command in release form and nothing else, decides them and compares with the recorded answers of FDR
 # (docs/benchmarks.md). Arguments are passed on: --own, --reduction, --aims, numbers of assertions, --threads N. The folder: ROBOCHART_SHARED/bench/hvc.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # What a monitor beside every controller adds to a robot's step, in both case studies, with 20 and with 100 robots: both
 # variants in one process and one thread, a block of steps each in turn, CPU time (benchmarks/monitor_benchmark.cpp).
 # Usage: scripts/bench_monitor.sh [ROUNDS]

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The page with the counterexample of the high-voltage controller, 1,375 steps of four machines: its size, how long Chromium
 # takes to load it, how long a step takes in it, and that each step fills the states of its data (docs/benchmarks.md,
 # "Diagrams"). Then 10,000 steps by chance of the semantics by hand. The model's folder: ROBOCHART_SHARED/bench/hvc.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The Quantitative Verification Benchmark Set (docs/benchmarks.md): builds our command in release form and nothing else, decides its properties
 # and compares with its values. Arguments are passed on: --jobs N, --only TEXT, --exact STATES. The folder: ROBOCHART_SHARED/suite/prism/qvbs.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Searches by levels with threads as ranks on wide spaces and on the high-voltage controller's narrow one (docs/scale.md):
 # critical path, bytes and messages, memory, with one rank a program and with several, and what the model predicts. Needs ROBOCHART_SHARED/bench.
 set -euo pipefail

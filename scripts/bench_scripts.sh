@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Bytes of our scripts and states of every component against RoboTool's published scripts for the same models: builds our
 # command in release form and nothing else (docs/benchmarks.md). The scripts' folder: ROBOCHART_SHARED/suite/robotool-csp.
 set -euo pipefail

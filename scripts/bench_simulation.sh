@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Robot-steps a CPU second of the embedded world and of Enki in one run, the generated controller included
 # (docs/benchmarks.md). Needs libenki-dev.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Searches by ranks against the ordinary search (docs/scale.md):
 #   scripts/check_ranks.sh           threads as 1, 2, 3, 4 and 8 ranks, and as two and three programs of two ranks each, on
 #                                    the scripts of the tests and of ROBOCHART_SHARED

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Figures of the code base: folders, cycles of units, classes, functions' comments. docs/benchmarks.md quotes them.
 
 Usage: scripts/code_figures.py [FOLDER]   (default: the project; any other source tree with the same habits works)

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Installs missing packages, builds, and runs all steps on the aggregation case study.
 set -euo pipefail
 cd "$(dirname "$0")/.."

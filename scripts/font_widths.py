@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Prints diagrams/layout/font_tables.cpp: the advance widths of DejaVu Sans and DejaVu Sans Bold, as their tables `cmap`
 and `hmtx` state them (OpenType). Debian: fonts-dejavu-core."""
 import struct

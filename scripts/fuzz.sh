@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Fuzzes with libFuzzer, AddressSanitizer and UndefinedBehaviorSanitizer, and prints a summary.
 # Arguments: CPU seconds a target (default 600), then the targets (default: all). Failing inputs are kept in
 # build/fuzz/found/TARGET; the inputs that reach new code gather in build/fuzz/corpus/TARGET.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Mutates the models and scripts of the repository (and of ../shared, where it is) and runs the whole command on them.
 # scripts/hostile_inputs.sh [INPUTS [FIRST_SEED]], by default 30,000 from a new seed, which it prints. An input that violates a property
 # is kept in build/hostile/SEED (tests/fuzz/whole_command.py lists the properties).

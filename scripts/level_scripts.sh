@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Decides the assertions of all CSPM scripts in folders by levels: by 1, 2, 3, 4 and 8 ranks, and with states on disk and
 # hardly any memory; answers, figures and counterexamples must be equal (docs/search.md, "Out of core"). Arguments:
 # folders, instead of the scripts in ROBOCHART_SHARED/suite and in tests.

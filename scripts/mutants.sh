@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Mutation analysis of the C++ generator: every kind of seeded fault at every place of every model of the tests, each compared
 # with its model; prints one line for each kind and each model (mutants, killed, shown equivalent, variants the model
 # allows), what killed them, and how long the shortest differences are. Builds the tests of the component in release form first.

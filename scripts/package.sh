@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Makes build/package/packages/*.deb and *.tar.gz, and tries both: the archive unpacked in a temporary folder and run from
 # another one in an empty environment; the package installed in a fresh Debian 12, made with mmdebstrap where that is there.
 # Without it the package is unpacked and its libraries are looked up. Prints the seconds from install to verdict.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Random models from a seed on: C++ is generated for each, compiled with warnings as errors, explored over all inputs and
 # compared with the model's semantics; prints the outcomes, and each cause of a disagreement with a small model.
 # Builds the tests of the component in release form first.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The Markov models of random models of RoboChart (docs/testing.md): the decision process of the timed semantics is branching
 # bisimilar to the process that is checked for refinement, fewer schedulers lie within all, and RoboTool's chain lies between
 # the schedulers of its text. Builds the tests of the component in release form first.

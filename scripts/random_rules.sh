@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Conflicts of random sets of SLEEC rules, by the analysis and by the naive enumeration of the tests (docs/testing.md):
 #   scripts/random_rules.sh [CHECKS [SEED]]           default: 10000 sets
 set -euo pipefail

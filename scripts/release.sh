@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Prepares a release: checks that the versions agree, runs all tests, builds and tries the packages, and prints the command
 # that sets the tag. Changes nothing in the repository. `scripts/release.sh --check` only compares the versions.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # Makes cpp_emit/reserved/macros.txt and globals.txt from the headers below, with every compiler that is here; names that
 # are in the lists already stay, so that the lists can be made on several systems. Run it in the project's folder.
 set -e

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Installs the Debian packages that are missing. `scripts/setup.sh build` installs what a build needs; `quick` also what
 # `scripts/test.sh --quick` needs, `benchmarks` also what the benchmarks need. Without an argument the script installs what
 # a build and all tests need. Can be run again. Asks for sudo only if a package is missing.

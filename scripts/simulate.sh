@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Installs missing packages, builds the command and runs the aggregation case study: ten trials, bands, pictures.
 # Arguments: another scenario, options of `robochart-verify simulate`.
 set -euo pipefail

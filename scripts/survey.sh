@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Every component of the available models, of the corpus and of bench/hvc: C++ is generated, compiled without a warning by
 # g++ and by clang, explored and compared with its model; then once more with AddressSanitizer and
 # UndefinedBehaviorSanitizer in the generated code. Exceptions are listed in tests/conformance/check/survey_test.cpp with their

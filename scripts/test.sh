@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Installs missing packages, builds, runs the aggregation case study and the tests.
 #   scripts/test.sh            all tests with g++ in release form; then, with clang, AddressSanitizer and
 #                              UndefinedBehaviorSanitizer, those of the components that read foreign text and that decide

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # What needs a browser and is none of C++: the preview of editors/vscode with pictures of the real server; the pages that
 # --html writes, held to the rules of axe-core in light and dark colours; and what `draw --format mermaid` writes, read by
 # Mermaid's own parser. Arguments: the command (default: the release build's), a folder for what is made (default:

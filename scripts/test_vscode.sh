@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Tests the VS Code extension: a copy of editors/vscode with its npm packages, then `npm test`.
 # Argument: the folder for the copy (default: build/vscode).
 # Without node, npm or a reachable registry it prints the reason; exit code 77 (skipped), or 1 in CI (where CI is set).

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
 # A copy of corpus/swarm_taxis in which both radii and the patience are constants, for `tune`: scripts/tunable_taxis.sh FOLDER
 # The claims in blocks of CSP name its processes without these constants; they are left out.
 set -eu

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # What the GitHub action runs: the verb VERB over the models in MODEL with the options in OPTIONS, one a line each; with
 # JUNIT the verdicts go to that file, and the exit code is that of the verb. Words are passed as they are.
 set -euo pipefail

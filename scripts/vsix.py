@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Puts the VS Code extension and the program into one .vsix for linux-x64, which needs nothing else.
 
 Usage: scripts/vsix.py [--program FILE] [--modules FOLDER] [--out FILE]

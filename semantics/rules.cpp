@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Texts of the rules of the semantics. Codes are ours; they do not change once published.
 #include "semantics/rules.hpp"
 

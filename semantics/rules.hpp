@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rule table of this component: constructs that the IR cannot express, and mistakes in an instantiation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tails are sums of terms, added from the greatest outwards. Bounds are found by bisection. The result is the end of
 // the last interval at which the tail, including its rounding error, is small enough.
 #include "statistics/binomial.hpp"

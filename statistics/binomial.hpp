@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tails of the binomial distribution and the interval of Clopper and Pearson, "The use of confidence or fiducial limits
 // illustrated in the case of the binomial", Biometrika 26, 1934. Rounding errors can only widen an interval.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tests whether treatments differ if each was tried once on the same blocks: rank tests, which need no assumption about
 // the distribution of costs, and the paired t-test. Lower costs are better.
 #pragma once

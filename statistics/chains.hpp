@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Markov chains estimated from sequences of states. Assume that the sequences are independent runs of one chain. Then
 // the successors of a state's visits, sequence by sequence and in order of time, are independent draws from its row,
 // because only earlier draws decide whether there is another visit. The number of visits also depends on the draws, so

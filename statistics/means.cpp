@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See means.hpp. Quantiles come from Boost.Math, with a relative error of about 1e-15.
 #include "statistics/means.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Statistics of trials that stop as soon as the evidence is sufficient: Wald, "Sequential tests of statistical
 // hypotheses", Annals of Mathematical Statistics 16, 1945; and intervals of Clopper and Pearson at several looks that
 // share the error.

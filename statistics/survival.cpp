@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See survival.hpp.
 #include "statistics/survival.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The time until an event if some trials end before the event: Kaplan and Meier, "Nonparametric estimation from
 // incomplete observations", JASA 53, 1958, with bands by Greenwood's variance on the scale log(-log S) (Kalbfleisch and
 // Prentice, The Statistical Analysis of Failure Time Data, 1980). The bands are approximate, and pointwise: each band

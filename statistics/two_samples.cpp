@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See two_samples.hpp.
 #include "statistics/two_samples.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tests whether two samples of trials can have the same probability, and adjusts several such tests.
 #pragma once
 

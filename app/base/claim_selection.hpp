@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Selects claims by the words of --assertion: names, numbers, ranges of numbers and patterns. Models and scripts use
 // the same words.
 #pragma once

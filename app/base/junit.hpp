@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Results as JUnit XML, which continuous integration servers read: testsuites, testsuite, testcase with failure, error
 // or skipped. Only attributes that all of their schemas define are written.
 #pragma once

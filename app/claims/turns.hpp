@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The order in which claims are decided. Every claim gets a short turn before any claim gets a long one, so that a
 // claim that is never decided does not delay the others.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The answer of a run for programs: on standard output in the format of --format, and in the files of --json, --junit
 // and --sarif.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Claims are independent of each other: an error in one does not affect the others if the text around both could be
 // parsed. A claim depends on the CSP blocks whose processes it names, and a block depends on those whose names it uses.
 // A block may also replace the instantiation, on which everything depends. Excluded items are blanked in the text, so

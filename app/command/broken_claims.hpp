@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds out which claims of a project can be decided although assertion files have errors.
 #pragma once
 

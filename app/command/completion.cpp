@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Completions for bash, zsh and fish: verbs, their options, choices, rule codes, files and folders.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

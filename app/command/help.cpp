@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Help as text, for a terminal of 80 columns.
 #include "app/command/help.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The texts about the command: help, the man page, completions for shells. All are generated from the tables of
 // option_table.hpp.
 #pragma once

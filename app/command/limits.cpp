@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts options to the limits of one check, with progress reports for its subject.
 #include "app/command/limits.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Generates the man page in the macros of man(7).
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See option_table.hpp.
 #include "app/command/option_table.hpp"
 

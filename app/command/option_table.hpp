@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verbs, options and exit codes of the command as data. Parsing, help, the man page and shell completions use only
 // these tables.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The command line as data: the verb, its options, the exit codes. option_table.hpp defines the syntax.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Standard output. Only these functions write it; a write error is an error of the run for every verb.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The phases of a run over a model, each computed once and on demand (docs/architecture.md has the table).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Places of findings about components, and about things that a model lacks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The progress of a check on standard error: one line that is redrawn and erased, log lines if standard error is not a
 // terminal, or JSON events, one per line.
 #pragma once

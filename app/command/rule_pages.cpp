@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See rule_pages.hpp. Supports only the Markdown that the pages use: headings, paragraphs, fences, lists, links,
 // `code`, *emphasis*.
 #include "app/command/rule_pages.hpp"

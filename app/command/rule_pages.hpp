@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pages of the rules: docs/rules/CODE.md, compiled in. The page of a code explains the mistake and the reason for
 // the rule, and shows a wrong and a right example. The tests run both (docs/rules/README.md defines the form).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules of the command, and access to the rules of all components (for `explain` and the tests).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One run of the command: its budget, and a thread that watches it. The thread receives SIGINT, SIGTERM, SIGHUP and
 // SIGXCPU, and checks the limits continuously. A phase notices a limit when it polls the budget, and the verb then ends
 // normally. If some work does not poll for too long, the thread itself prints the known results and ends the program,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A CSPM script as the verb `cspm` loads it.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Writes command_identity.cpp with PROGRAM's build ID as READELF prints it. An unchanged file is not written again.
 execute_process(COMMAND ${READELF} --notes ${PROGRAM} OUTPUT_VARIABLE notes RESULT_VARIABLE failed)
 set(bytes "")

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Identifies the robochart-verify of the same build.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exchange between programs that MPI started as ranks. Uses only calls of MPI-3, from one thread.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // robochart-verify-mpi: the command, with searches distributed over all ranks that mpirun starts (docs/scale.md).
 #include "app/mpi/ranked_command.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The work of each robochart-verify-mpi program between the initialisation and the finalisation of MPI.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The report of a run as one page: verdicts, diagrams, and each counterexample as steps on the diagrams. It needs no
 // network and no other file (page.hpp), and is readable without scripts.
 #pragma once

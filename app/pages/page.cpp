@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See page.hpp.
 #include "app/pages/page.hpp"
 

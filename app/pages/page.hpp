@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A self-contained page: one file that needs no network and no other file, and runs only its own script, allowed by
 // hash (Content Security Policy Level 3).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See part_diagrams.hpp.
 #include "app/pages/part_diagrams.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The diagrams of a run's parts: their subjects, and the element of a diagram that belongs to a place or name of the
 // model. Elements are numbered through all parts, so that an element has one id in a whole page.
 #pragma once

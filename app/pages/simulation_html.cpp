@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See simulation_html.hpp. Foreign text is escaped when it is inserted into the page; ids are numbers from counters.
 #include "app/pages/simulation_html.hpp"
 

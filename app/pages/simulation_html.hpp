@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A simulation as one page: the scenario and its results, a trial to replay, the active states of each robot on the
 // diagrams of its machines, the measures over time. page.hpp states what all pages have in common.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See sweep_html.hpp. Foreign text is escaped when it is inserted into the page.
 #include "app/pages/sweep_html.hpp"
 

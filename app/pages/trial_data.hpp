@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The recorded trials as compact data for the script of a page: the position of each robot and the state of each of its
 // machines, frame by frame.
 #pragma once

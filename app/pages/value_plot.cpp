@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See value_plot.hpp.
 #include "app/pages/value_plot.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A plot of the values of a probabilistic assertion against the constant that varies.
 #pragma once
 

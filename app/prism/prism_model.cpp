@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See prism_model.hpp.
 #include "app/prism/prism_model.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The input of the verb `prism`: a model and properties, parsed and checked, and the values of their constants to try.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See prism_plot.hpp.
 #include "app/prism/prism_plot.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The basis of a verdict, apart from the model: assumptions, limits, and questions that never arose. The code that
 // decides a claim makes the list. Every format shows it with the verdict, and no option hides it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A bound is reported once for each expression, with the element that contains the expression.
 #include "app/report/bounds.hpp"
 

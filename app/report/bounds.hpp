@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bounds of the finite instantiation that runs reach: places where a value was clipped, chosen, or does not belong to
 // the type.
 #pragma once

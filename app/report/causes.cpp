@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See causes.hpp.
 #include "app/report/causes.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds the cause of an evaluation error in the finite instantiation.
 #pragma once
 

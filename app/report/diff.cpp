@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See diff.hpp. The shortest edit is found greedily (Myers, "An O(ND) difference algorithm", 1986), between the common
 // beginning and the common end of the texts.
 #include "app/report/diff.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Differences between two texts in the unified format of diff -u and patch.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The results of `prism` as data, and their output: text, JSON (robochart-verify/prism/1), CSV.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See probability_report.hpp.
 #include "app/report/probability_report.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Answers to probabilistic assertions as text and JSON: a value or truth value for each combination of constants.
 #pragma once
 

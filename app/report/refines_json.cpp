@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fields of FDR's `refines --format json`. There, event 0 means "no event", 1 is tau and 2 is tick, so our event
 // numbers are increased by one. The field names are those of FDR 4.2.7's output. A child's trace has an entry for every
 // step of its parent's trace.

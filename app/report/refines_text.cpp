@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Assertions of scripts as text: in the format of FDR's `refines`, and for our own report.
 #include <fmt/format.h>
 

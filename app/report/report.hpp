@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The results of a run as data, printed as text or JSON.
 #pragma once
 

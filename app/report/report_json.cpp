@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The report for programs. nlohmann::json writes it; docs/cli.md contains the schema.
 #include <nlohmann/json.hpp>
 

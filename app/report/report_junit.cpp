@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The report for continuous integration servers. An unknown answer counts as an error, because a skipped case would
 // pass.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The report as SARIF 2.1.0 (OASIS, 2020). There is a result for each assertion that fails or is not decided, with the
 // steps of its run that have places as a code flow (3.36), and for each component whose code does not conform. An
 // unknown answer has the kind `open` (3.27.9), which is neither a failure nor a pass. A claim that is true on some

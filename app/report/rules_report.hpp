@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The results of `rules` as data, and their output: text, JSON (robochart-verify/rules/1).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The results of the verb `cspm` for one script as data; printed in the formats of FDR's `refines`: plain text and
 // JSON.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Explores the processes of a decided claim again, to find the basis of its verdict that no search for a violation
 // shows. Only processes with few states are explored; larger ones are skipped.
 #pragma once

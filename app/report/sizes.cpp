@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See sizes.hpp. A process that cannot be evaluated has no size; this is reported.
 #include "app/report/sizes.hpp"
 

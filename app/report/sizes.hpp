@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `check --sizes`: the numbers of states and transitions of the components of a script.
 #pragma once
 

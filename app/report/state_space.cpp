@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Explores all states of one process, within the limits of the run.
 #include "app/report/state_space.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Explores all states of a process within the limits of a check.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See structure_text.hpp.
 #include "app/report/structure_text.hpp"
 

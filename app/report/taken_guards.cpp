@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "app/report/taken_guards.hpp"
 
 #include <fmt/format.h>

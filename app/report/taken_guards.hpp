@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conditions whose clock-reading parts the untimed semantics has taken as true; verdicts are based on them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See model_rules.hpp.
 #include "app/rules/model_rules.hpp"
 

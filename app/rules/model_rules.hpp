@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides whether components of a model obey SLEEC rules, for `rules FILE MODEL` and `sleec assertion`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See rule_claims.hpp.
 #include "app/rules/rule_claims.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides claims that a component conforms to a SLEEC rule (`sleec assertion`). The rules are in files in the folder of
 // the assertions.
 #pragma once

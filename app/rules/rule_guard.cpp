@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See rule_guard.hpp.
 #include "app/rules/rule_guard.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SLEEC rules that monitor the robots of a simulation (`simulate --monitor RULES.sleec`). Each robot must obey them,
 // judged by the inputs and outputs of its controller. A time unit of the model is a second of the rules.
 #pragma once

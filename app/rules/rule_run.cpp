@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See rule_run.hpp.
 #include "app/rules/rule_run.hpp"
 

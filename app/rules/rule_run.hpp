@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs SLEEC rules along with a log or a robot of a simulation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See certificate.hpp. A certificate is untrusted input, because anybody may have changed it.
 #include "app/tune/certificate.hpp"
 

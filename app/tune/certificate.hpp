@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The result of tuning: constants, how they were found, and what was decided about the model with them. Anybody can
 // repeat the decisions (`tune --verify-certificate`).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Makes the script with the blocks and the one without them, and compares their definitions as texts.
 #include "app/verbs/block_values.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds values that csp blocks replace. If there are any, the assertions use other values than the generated code and
 // its comparison.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `simulate` with a scenario that defines a chain: trials estimate it, the timed semantics of the model excludes
 // transitions, and fresh trials may refute it.
 #include <fmt/format.h>

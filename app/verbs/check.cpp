@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `check`: decides assertions.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `check`: computes probabilistic assertions in the selected encoding.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `cspm`: decides the assertions of a CSPM script, like FDR's `refines`.
 #include <fmt/format.h>
 #include <unistd.h>

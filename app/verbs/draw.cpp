@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `draw`: draws the diagrams of all components of a model into a folder, or of one component
 // (docs/diagrams.md).
 #include <fmt/format.h>

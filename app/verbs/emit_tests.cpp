@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `emit tests`: finite complete test suites, as logs and as GoogleTest (docs/conformance.md, "Test suites").
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides everything about a scenario's model with the constants of the options: its assertions, the conformance of the
 // robots' code, and the scenario's claims.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `explain`: prints the page of a rule, or the list of all rules.
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `cspm SCRIPT --export FORMAT PROCESS`: writes all states of a process, for other tools and for FDR.
 #include <fmt/ostream.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `format`: formats files in place, shows what would change, or formats standard input to standard output
 // (docs/format.md).
 #include "frontend/format/format.hpp"

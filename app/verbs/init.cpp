@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `init`: creates a project that verifies without changes. An existing model is never changed.
 #include "app/verbs/init.hpp"
 

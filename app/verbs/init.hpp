@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The built-in files of a new project (app/templates), for the verb `init`.
 #pragma once
 

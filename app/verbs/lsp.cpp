@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `lsp`: the language server on standard input and output.
 #include <iostream>
 

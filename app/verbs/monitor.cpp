@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `emit monitor` and `simulate --monitor`.
 #include "app/verbs/monitor.hpp"
 

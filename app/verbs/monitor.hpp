@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Monitors for the controllers of a simulation (`simulate --monitor`).
 #pragma once
 

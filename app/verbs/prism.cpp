@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `prism`: explores or samples PRISM models and decides their properties, for one or more sets of constants.
 #include <fmt/format.h>
 #include <unistd.h>

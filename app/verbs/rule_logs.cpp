@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `conform RULES.sleec --traces LOG`: checks logs of runs against SLEEC rules (docs/traces.md, "Logs and rules").
 #include <fmt/format.h>
 #include <fmt/ranges.h>

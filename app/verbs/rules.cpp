@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `rules`: finds conflicts and redundancies of SLEEC rules, and decides whether a model obeys them.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

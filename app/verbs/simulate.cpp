@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `simulate`: runs a scenario with generated controllers of its model in trials, compares measures with bands,
 // and writes pictures.
 #include "app/verbs/simulate.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scenario with its model and controllers, ready to run. The verb `simulate` and the adapters of other simulators use
 // it.
 #pragma once

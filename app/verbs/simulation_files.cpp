@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes the files of a simulation: a table of positions for each trial and pictures of the first one; PNG, GIF and MP4
 // if the programs that make them are on PATH.
 #include <fmt/format.h>

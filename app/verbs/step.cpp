@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `step`: steps through a component, or a process of a script, by hand in the terminal. Commands are read from
 // standard input, one per line; docs/step.md describes them.
 #include <fmt/format.h>

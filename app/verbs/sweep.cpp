@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `simulate` with a scenario in which something varies: decides its claims at every point, one after another. The
 // results of a point are stored in the cache, so a run that was stopped continues where it ended.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `conform MODEL --traces FILE`: checks logs of runs against the model (docs/traces.md).
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `tune`: finds constants of a model with which a scenario's claims do best, by iterated racing. The best ones
 // are checked, compared with their code, and judged on seeds that the search has not used. The result is a certificate,
 // which can be verified again.

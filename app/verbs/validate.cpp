@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `validate`: reads, resolves and reports. With --fix, certain fixes are applied to the files first.
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One function for each verb; each uses only the public headers of the components and returns the exit code.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verbs over models: read, then check, write and conform as the verb requires, with one report.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

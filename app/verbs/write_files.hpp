@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes the files of a verb below the output folder and lists each in the report.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every back end of the code benchmark drives: one register. With CHECK all stores are hashed in their order.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One back end of one machine as a translation unit: a step that is not inlined, for an event known at run time only.
 // MACHINE m1 to m4, NAME its name in the generated HEADER, BACK_END switch, again or generated, GENERATED 1 for the
 // last; TICKS 1: events above 1 are time passing.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes the machines of the code benchmark: each as a RoboChart model (../models) and as a nested switch (here).
 
 M1 two states, two events. M2 three states with a clock, two booleans, a during action. M3 three levels: 20 states, six

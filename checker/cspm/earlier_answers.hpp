@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Answers of earlier runs. An assertion is identified by the content of its compiled processes, so it stays the same
 // after every edit of the script that does not change these processes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A compiled script: evaluates expressions, builds processes, decides assertions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The states of a block have the same signature: their events and the blocks of the targets, including those reached
 // through taus inside the block (inert taus) if the equivalence is branching. If targets have moved to another block,
 // the signatures are recomputed and the block is split; its largest part keeps its number, so a state moves at most log

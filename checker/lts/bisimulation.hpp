@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Minimisation by partition refinement with signatures (Blom and Orzan, 2003; Wimmer et al., "Sigref", 2006).
 #pragma once
 

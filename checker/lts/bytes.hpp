@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers as bytes for messages between programs: seven bits in each byte, the lowest first.
 #pragma once
 

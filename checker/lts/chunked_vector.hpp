@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A vector that grows in chunks: elements never move, and growing never needs twice the memory.
 #pragma once
 

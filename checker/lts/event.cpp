@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The table of events: interning of names, with tau and tick first.
 #include "checker/lts/event.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exports graphs as text for other tools.
 #include <fmt/ostream.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values packed next to each other in the words of a state.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exploration of any transition system into a graph.
 #include "checker/lts/graph.hpp"
 

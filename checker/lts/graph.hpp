@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Explicit transition systems: compressed rows of edges. State 0 is the initial state.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "checker/lts/pages.hpp"
 
 #include <sys/mman.h>

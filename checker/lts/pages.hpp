@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Zeroed memory for large tables: huge pages if the system has them, allocated when they are touched. (A random look-up
 // in a table of 4 KiB pages also walks the page table, which takes 1.7 times as long.)
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // For systems that pass on the successors of another system.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The visited set: exact packed states of one width, numbered in the order of insertion. The states are stored in that
 // order in chunks that never move; a table of hash bits finds them, and every hit compares the whole state.
 #pragma once

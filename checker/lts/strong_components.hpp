@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Strongly connected components of a graph whose edges are computed on demand.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A system in which one state represents all its images under automorphisms (docs/search.md, "Symmetry").
 #pragma once
 

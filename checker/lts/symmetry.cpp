@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Replicas are converted to numbers that are common to a set, so permuting replicas is permuting rows of numbers; in
 // the representative of a state these rows are in ascending order.
 #include "checker/lts/symmetry.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Symmetries of a system: permutations of equal parts of its states that map transitions to transitions
 // (docs/search.md, "Symmetry"). Gibson-Robinson and Lowe, "Symmetry reduction in CSP model checking", STTT 2019;
 // Clarke, Enders, Filkorn and Jha, "Exploiting symmetry in temporal logic model checking", FMSD 1996.

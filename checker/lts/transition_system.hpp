@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The interface between searches and processes: an initial packed state, successors, and names.
 // Process terms, compiled machines, explicit graphs and generated code implement it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Results of confluence proofs: numbers by query and by the states of the query. Open addressing with linear probing
 // (Knuth, The Art of Computer Programming 3, section 6.4): a search makes several queries for each state, and one
 // look-up usually reads one line of memory.

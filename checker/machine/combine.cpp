@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts the operators of a skeleton to rules over its components. Each operator converts the vectors of its operands
 // (which components perform which events, and the resulting event) to its own vectors. The firing rules are stated in
 // process/firing_rules.cpp and composition_rules.cpp; here each is one clause of `vectors`.

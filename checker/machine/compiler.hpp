@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts a term to the transition system that runs it: component machines and rules if its operators allow it,
 // otherwise the term itself.
 #pragma once

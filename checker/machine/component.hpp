@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Component machines: the explicit leaves of a compiled process (FDR's low-level machines; Gibson-Robinson et al.,
 // "FDR3: a parallel refinement checker for CSP", STTT 2016, section 3).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A numbering of a component's states and events that depends on its graph and not on their names: a proposal for a
 // mapping between two components. Colour refinement (Weisfeiler and Leman, 1968) orders events; a search from the
 // initial state in that order numbers the states.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides by rules which taus of a compiled process are confluent (docs/search.md, "Confluent taus", contains the
 // statement and the proof). Groote and van de Pol, "State space reduction using partial tau-confluence", MFCS 2000;
 // Blom and van de Pol, "State space reduction by proving confluence", CAV 2002.

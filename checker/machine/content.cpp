@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Leading edges, rules by event and estimated frequencies of events are derived data, so they are left out.
 #include "checker/machine/content.hpp"
 

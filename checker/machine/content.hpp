@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The content of a compiled process: the data on which its transitions depend, independent of the session that compiled
 // it. Equal content means equal searches with equal packed states. The terms of states are not included.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks whether exchanging two groups of components is an automorphism of a compiled process: condition by condition
 // of docs/search.md, "Symmetry".
 #pragma once

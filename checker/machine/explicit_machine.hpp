@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The states and edges of a component while it is built, and their reduction.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A compiled process without the states from which confluent taus lead on (docs/search.md, "Confluent taus").
 #pragma once
 

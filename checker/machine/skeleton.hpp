@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The part of a process that does not change while it runs: the operators above its components. An operator that one
 // operand can replace (exception, sequence, interrupt, choice) stays in place too: the inactive operands are off. So a
 // state of the whole process has one state for each component, in a vector of fixed length.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A compiled process: component machines and the rules by which their events become events of the whole (FDR's
 // supercombinators; Roscoe, "Understanding Concurrent Systems", 20.4 and 9.2; Gibson-Robinson et al., STTT 2016).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Successors by rules: each event of each participant's current state is looked up among the rules in which it comes
 // first, and a rule fires for every combination of transitions of its other participants. The moves of inner regions
 // are computed when an outer rule asks for them, and the priorities that prevent an event when it becomes possible.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiled processes, whole or reduced, as bytes, so that another program can search them. Events keep their numbers;
 // the terms of states are not included.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A rule that requires an event of an inner region is combined with the region's rules for that event. The order of
 // changes is that of SupercombinatorSystem: changes of participants, in the order of the requirements, then the rule's
 // assignments; if several change one slot, the last counts.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of all regions as rules of the whole process: the component events of one transition, and the priorities on
 // which it depends. Used for proofs about transitions; successors are computed by the rules of the regions.
 #pragma once

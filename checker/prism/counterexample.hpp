@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Why a bound on a probability is violated: the most probable paths that together are evidence.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evaluates expressions pointwise over the states. See evaluator.hpp.
 #include "checker/prism/evaluator.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of property expressions in every state, from the inside out. See "Meaning" in docs/probability.md.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See experiment.hpp.
 #include "checker/prism/experiment.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values for the constants that a model or its properties do not define: one for each, or a range.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See export.hpp.
 #include "checker/prism/export.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exports a state space and results as text for other tools.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Filters, and the result of a property without one. See evaluator.hpp.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See labels.hpp.
 #include "checker/prism/labels.hpp"
 

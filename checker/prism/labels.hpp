@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Resolves labels in the expressions of properties.
 #pragma once
 

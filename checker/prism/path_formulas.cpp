@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nested path formulas: builds the product of the model with an automaton of the formula. See evaluator.hpp.
 #include <algorithm>
 

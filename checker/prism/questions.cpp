@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // P, S, R, A and E. See evaluator.hpp.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See session.hpp.
 #include "checker/prism/session.hpp"
 

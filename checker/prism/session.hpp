@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A model explored for one set of constants, and its properties.
 #pragma once
 

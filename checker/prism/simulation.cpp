@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See simulation.hpp. The formulas of the methods are those of PRISM's manual.
 #include "checker/prism/simulation.hpp"
 

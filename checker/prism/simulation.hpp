@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Statistical model checking: evaluates a property on random paths, without exploring the state space.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See state_values.hpp.
 #include "checker/prism/state_values.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A value for every state: booleans, some of which may be unknown, or numbers. A state may have no value.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Queries with bounds in models in which bounds count time units (markov::Model::counted), not steps. They are
 // evaluated in the model whose states include the count (markov/operators/layers.hpp). See evaluator.hpp.
 #include <fmt/format.h>

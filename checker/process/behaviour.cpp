@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A part of a process passes through segments: a sequential component runs, or an operator stays in place while its
 // operands move. A segment ends when its operator is resolved in favour of an operand that had not run.
 #include "checker/process/behaviour.hpp"

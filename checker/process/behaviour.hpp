@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Takes a run of a process apart: what each operand of its operators did in it, down to the sequential components, as
 // in FDR's debug tree. Applies the firing rules backwards (firing_rules.cpp, composition_rules.cpp).
 #pragma once

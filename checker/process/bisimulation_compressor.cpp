@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts machines of the semantics to graphs, minimises them, and converts them back.
 
 #include "checker/process/bisimulation_compressor.hpp"

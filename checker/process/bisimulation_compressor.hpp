@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compressions by bisimulation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Firing rules of the operators that compose a system: parallel, hiding, renaming, priority, chase. Notation and
 // sources as in firing_rules.cpp.
 #include <algorithm>

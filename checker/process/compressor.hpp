@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The interface by which the operational semantics compresses operands: it explores the operand, and an implementation
 // makes it smaller.
 #pragma once

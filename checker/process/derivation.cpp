@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules are stated in firing_rules.cpp and composition_rules.cpp. If a step has several derivations (two operands
 // that can both perform it without a change of their states), the first operand is taken.
 #include "checker/process/derivation.hpp"

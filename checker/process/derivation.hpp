@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Applies the firing rules backwards: finds the moves of a term's operands that cause one of its transitions. Private
 // to checker/process.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Describes process terms for readers. Evaluates nothing, so that a report never fails.
 #include <string>
 #include <string_view>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Firing rules after Roscoe, "Understanding Concurrent Systems" (UCS), chapters 9 and 20, and the FDR 4.2 manual,
 // "Defining Processes" and "Built-In Definitions". In the comments x is any action, and a is a visible event or tick
 // unless stated otherwise. FDR's rule for termination holds throughout: P --✓--> always ends in Ω, which has no

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The firing rules of every operator, each with its published statement. Private to checker/process.
 #pragma once
 

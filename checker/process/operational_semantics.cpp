@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Memoised transitions of terms. Dependencies are computed with an explicit stack, so that deep terms use the heap and
 // not the machine stack, and recursion without an event is detected.
 #include "checker/process/operational_semantics.hpp"

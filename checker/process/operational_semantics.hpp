@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The operational semantics of process terms, with which all other engines are compared. Firing rules after Roscoe,
 // Understanding Concurrent Systems (2010), chapter 9, with FDR's treatment of termination: tick is an event of the
 // semantics, parallel operators synchronise it in order to terminate, and nothing follows it.

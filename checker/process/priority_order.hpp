@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The orders of prioritise and prioritisepo (FDR manual, there; Roscoe, UCS 20.2: prioritise by a partial order).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hash-consed terms, event sets, renamings and priority orders. Ids are assigned in the order of creation, so they
 // depend only on the calls, never on addresses or on the order of a hash table.
 #include "checker/process/term.hpp"

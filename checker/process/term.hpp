@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Process terms: hash-consed CSP operator trees over integer events. The CSPM evaluator builds them, the operational
 // semantics executes them, the compiler converts them to machines. Equal terms have equal ids.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Process terms as transition systems.
 #include "checker/process/term_system.hpp"
 

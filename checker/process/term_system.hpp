@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A process term as a transition system: states are terms, one word each.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A search as bytes, which rank 0 sends to the others.
 #pragma once
 

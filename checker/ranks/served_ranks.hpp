@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Separate programs, or threads that act like programs, that share searches. The first one parses, evaluates and
 // compiles, and for each search sends the others what they need (job.hpp); between searches they wait. Several threads
 // search in each program.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A checkpoint of a search: the files with the levels, and the other data that the search needs to continue. Each rank
 // writes one, as a text file that ends with a check, when all its files are on the disk. Checkpoints are numbered; a
 // number is complete if all ranks have written theirs. The previous one is kept until then, so that a search that is

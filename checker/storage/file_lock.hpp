@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // File locks (flock), which also work across machines: NFS implements them by locks of byte ranges (flock(2), "NFS
 // details"). NFS grants an exclusive lock only for a file that is open for writing, and locks folders only on the local
 // machine.

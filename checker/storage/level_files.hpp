@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The levels of one rank of a search in files of a folder: written in order, read in any order. A checkpoint makes them
 // permanent.
 #pragma once

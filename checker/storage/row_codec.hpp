@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Encodes rows in ascending order compactly: each as its difference from the previous row.
 //
 // A row is a fixed number of words; rows are ordered by the first word, then the second, and so on. If row r follows

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A file of rows, level by level, in blocks that can be read in any order. All numbers are little-endian.
 //
 //   head    8 bytes "RVROWS\r\n", format (4 bytes), words in a row (4), digest of what the rows belong to (32),

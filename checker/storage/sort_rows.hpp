@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sorts rows by the first word, then the second, and so on.
 #pragma once
 

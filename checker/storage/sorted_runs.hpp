@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows in sorted runs, in an unnamed file that is deleted when the program ends; returned in order, without duplicates.
 // Sorts rows that do not fit into memory (external sorting: Knuth, TAOCP 3, 5.4.1).
 #pragma once

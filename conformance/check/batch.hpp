@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Many small components at once: their generated code is compiled as one translation unit, then each component is
 // checked separately. Used for random models and surveys.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The whole check: script of the model, generated code, shared object, and the comparison (docs/conformance.md).
 #include "conformance/check/conform.hpp"
 

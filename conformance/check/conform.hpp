@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks whether the generated code refines the model, NF_c(M) [FD= L(G), by exploring the compiled code over all
 // inputs (docs/conformance.md; the relation is RoboTool's NormalForm with its three simulation assumptions).
 #pragma once

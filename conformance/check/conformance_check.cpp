@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs the checker and converts its counterexamples to cycles; see conformance_check.hpp.
 #include "conformance/check/conformance_check.hpp"
 

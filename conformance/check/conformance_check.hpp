@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The two checks of docs/conformance.md: is NF_c(M) schedulable, and does L(G) refine it? Results are given in control
 // cycles.
 #pragma once

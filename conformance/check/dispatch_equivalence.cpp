@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See dispatch_equivalence.hpp. Other events are raised together with the dispatched one, because dispatch must ignore
 // them.
 #include "conformance/check/dispatch_equivalence.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares the event API of generated code with its cycle: both change the same state, and a dispatched event must have
 // the effect of a cycle with this event (docs/conformance.md, "One event at a time").
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See export.hpp. The script reads registers in the same fixed order on both sides ("One order of reading").
 #include "conformance/check/export.hpp"
 

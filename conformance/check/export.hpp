@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // L(G) for other tools, so that they can repeat what was checked here (docs/conformance.md, "For other tools").
 #pragma once
 

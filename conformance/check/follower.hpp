@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // NF_c(M), determinised on the fly, follows the code event by event: for random walks, and for the search over partial
 // readings.
 #pragma once

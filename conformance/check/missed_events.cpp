@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See missed_events.hpp. An event is lost in a cycle if its register makes no difference there for any readings of the
 // others: then equal trees follow all of its readings.
 #include "conformance/check/missed_events.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds events that arrive while nothing can take them, over all states of the code (docs/conformance.md, "Events that
 // can be missed").
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See model_run.hpp.
 #include "conformance/check/model_run.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The behaviour of the model M in a run of NF_c(M), in terms of the model: for a model that cannot be run in cycles,
 // and for one from which generated code differs.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Breadth-first search over the normalised specification: a node represents the states after a trace.
 #include "conformance/check/open_choice.hpp"
 

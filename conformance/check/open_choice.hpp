@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether the model chooses which of several values it outputs; then few values do not represent all
 // (docs/conformance.md, "Few values for all").
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds events of outer transitions that come second if other events are raised in the same cycle (docs/conformance.md,
 // "Events that come second").
 #pragma once

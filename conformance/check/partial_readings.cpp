@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See partial_readings.hpp. A position is the beginning of a cycle: an image of the code and a node of NF_c(M). A
 // register is left unread until the code's results or the model depend on it; then the cycle is tried with each of its
 // readings.

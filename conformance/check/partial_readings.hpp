@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conformance in which the readings of a cycle are tried only if something depends on them: for components with so many
 // registers that there are too many valuations in all states of the model (docs/conformance.md, "Partial readings").
 #pragma once

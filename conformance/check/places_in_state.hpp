@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The places of machines (cpp_emit/plan/options.hpp) in a printed state of the code.
 #pragma once
 

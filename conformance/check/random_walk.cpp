@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See random_walk.hpp. The code is executed directly; the model is followed in NF_c(M), determinised on the fly.
 #include "conformance/check/random_walk.hpp"
 

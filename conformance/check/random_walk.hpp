@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // For systems that are too large for a search: random walks of the compiled code along the model's normal form, guided
 // by coverage (after AFL's queue: walks continue from cycles that led to something new). They find differences and
 // never prove that there are none.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See standstill.hpp. The run is one of NF_c(M): the behaviour of M in it is a run of M and is interpreted like a
 // counterexample.
 #include "conformance/check/standstill.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Generated code of many components as one source, because starting a compiler and parsing the headers takes longer
 // than compiling a small machine.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether two controllers behave alike: L(G) and L(G') as graphs, strongly bisimilar or not. This is finer than equal
 // failures and divergences, so "same" holds in every model of CSP.
 #pragma once

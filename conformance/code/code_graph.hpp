@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // L(G) as a graph: for exports and for comparing one controller with another.
 #pragma once
 

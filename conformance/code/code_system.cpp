@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // L(G); see code_system.hpp. Registers are read in one fixed order: a tree of readings whose leaves are results of
 // `step`. Equal subtrees are shared, as in a decision diagram, so registers that do not matter in a state cost nothing.
 // Why one order suffices: docs/conformance.md, "One order of reading".

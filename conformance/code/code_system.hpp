@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // L(G): the compiled controller as a transition system. A state is the byte image of the code's state and the progress
 // of the cycle (docs/conformance.md, "The code").
 #pragma once

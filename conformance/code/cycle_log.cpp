@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "conformance/code/cycle_log.hpp"
 
 namespace robochart::conformance {

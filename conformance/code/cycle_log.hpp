@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The outputs and questions of a call of generated code: a log that grows, with comparison and enumeration.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names of events on both sides of the conformance check (docs/conformance.md, "Alphabets").
 #include "conformance/code/interface.hpp"
 

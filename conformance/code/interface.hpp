@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The boundary of a component: input registers and outputs, and the names of their events in the model, in NF_c(M) and
 // in L(G) (docs/conformance.md, "Alphabets"). Model and code are related only here.
 #pragma once

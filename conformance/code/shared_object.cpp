@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Validates the exploration interface of a loaded controller before it is used.
 #include "conformance/code/shared_object.hpp"
 

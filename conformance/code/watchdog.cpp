@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A timer of the thread's processor time ticks while code is explored. If a tick finds the same call running as the
 // tick before, the signal handler leaves the call with siglongjmp. Its state is thread-local.
 #include "conformance/code/watchdog.hpp"

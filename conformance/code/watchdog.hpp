@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Calls generated code that may not return. Generated code bounds its own steps, but code with an error may not, and an
 // endless loop in it must be a finding that does not end the search.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Data about one component from the IR and the emitted script; see component.hpp.
 #include "conformance/model/component.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The data about a component, other than its code, that conformance needs: its process and events in the script, the
 // meaning of its numbers, and external writes that cannot matter.
 #pragma once

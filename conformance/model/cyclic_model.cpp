@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Loads a component for monitors, test suites and logs: emits its timed script, compiles D__ and builds its normal
 // form.
 #include "conformance/model/cyclic_model.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A component whose allowed behaviour in control cycles can be queried without generated code: the script's process,
 // the alphabet, and NF_c(M) as a transition system (docs/conformance.md).
 #pragma once

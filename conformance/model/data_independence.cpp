@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Syntactic data independence: a kind of numbers is only passed on if no operator has an operand of this kind that
 // depends on a variable (Roscoe UCS 17.2, "data independence", without tests for equality). Unrecognised uses count as
 // dependence.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads values in logs by the types of the model, and replaces numbers outside the carriers if the component is data
 // independent.
 #include "conformance/model/logged_value.hpp"

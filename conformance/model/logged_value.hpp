@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values as in logs (docs/traces.md): the notation of the CSP alphabet with decimal numbers, the names of literals and
 // no blanks. Values outside the finite instantiation are distinguished from those inside.
 #pragma once

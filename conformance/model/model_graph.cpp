@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Explores M on demand: states are numbered, and transitions are mapped to their roles in the cycle and computed once.
 #include "conformance/model/model_graph.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The model M with numbered states and stored successors. NF_c(M) visits each state of M with many register contents,
 // and needs to know which registers a state can still read before time passes.
 #pragma once

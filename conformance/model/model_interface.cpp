@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Collects registers and outputs from the plan of the component (cpp_emit), without emitting code.
 #include "conformance/model/model_interface.hpp"
 

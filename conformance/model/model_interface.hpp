@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The interface of a component computed from the model, without generated code: for recorded runs, monitors and test
 // suites. Registers and outputs are in the order of the code's own interface (cpp_emit/runtime/explore_abi.h).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The simulation assumptions written in CSPM (docs/conformance.md, "The normal form"). Untimed operators with tock as
 // an ordinary event: a process without tock stops time, which makes writes and reads instantaneous.
 #include "conformance/model/normal_form.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // NF_c(M) as CSPM: the model in parallel with the three simulation assumptions (docs/conformance.md). This is the
 // normative definition, for FDR and for readers; the search runs the equivalent NormalFormSystem.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // NF_c(M) step by step. Each rule cites the assumption of docs/conformance.md that it implements: A1 registers, A2
 // outputs and time, A3 the cycle, H hiding of M's alphabet, P priority of τ and ✓ over tock.
 #include "conformance/model/normal_form_system.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // NF_c(M) as a transition system: the model in parallel with the three simulation assumptions (docs/conformance.md). It
 // is the process that normal_form.hpp writes in CSPM; tests/conformance shows that the two are equivalent.
 #pragma once

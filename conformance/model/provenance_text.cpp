@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text for events and states: looks up the names of the script in the provenance.
 #include "conformance/model/provenance_text.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // States and events as elements of the model, with their places.
 #pragma once
 

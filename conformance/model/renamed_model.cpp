@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "conformance/model/renamed_model.hpp"
 
 #include "csp_emit/passes/safe_names.hpp"

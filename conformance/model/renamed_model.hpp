@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The model with the names of its script: if a name has another meaning in CSPM, model and code are compared under the
 // name with a number appended (csp_emit/passes/safe_names.hpp).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The values that represent a data independent type (Lazić 1999; Roscoe UCS 17.2).
 #include "conformance/model/representatives.hpp"
 

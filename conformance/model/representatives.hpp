@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Few values for all: finite carriers for a component that only passes values on. See docs/conformance.md, "Few values
 // for all".
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See tick_tock.hpp. Breadth-first search over pairs of a state of the implementation and the set of states that the
 // specification may be in after the same observation, including refusals before tocks. Only the largest refusal of each
 // state is followed: the model is closed under smaller ones (its healthiness condition TT1).

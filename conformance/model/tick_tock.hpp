@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Refinement in the tick-tock model (Baxter, Ribeiro, Cavalcanti, "Sound reasoning in tock-CSP", Acta Informatica
 // 2022): refusals are observed before each tock and at the end of an observation. See docs/conformance.md, "Tick-tock".
 #pragma once

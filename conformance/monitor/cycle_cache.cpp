@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "conformance/monitor/cycle_cache.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Monitors for many controllers of one component: the results of whole cycles are cached, so that a cycle that any of
 // them has performed before, from the same state, costs one look-up instead of one for each event.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See monitor.hpp. Minimisation: Moore's algorithm (1956) on the deterministic automaton whose missing arcs are
 // violations.
 #include "conformance/monitor/monitor.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The normal form of a component as dense tables for a monitor (cpp_emit/runtime/monitor.hpp): NF_c(M), determinised
 // and minimised, with equal columns shared. Traces only, because a monitor sees only events that happen.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tables of a monitor as a C++17 header; see monitor.hpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Explores NF_c(M) cycle by cycle over all valuations, and minimises the automaton (Moore 1956).
 #include "conformance/testgen/cycle_automaton.hpp"
 

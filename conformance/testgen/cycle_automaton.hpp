@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The normal form as a finite state machine over control cycles: a state is a possible beginning of a cycle, an input
 // symbol is one reading of every register, an output symbol is the sequence of writes in the cycle. Complete and
 // minimal; deterministic, or, if the model leaves a choice, with several steps for one input that differ in their

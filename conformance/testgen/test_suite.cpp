@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The HSI method: a state cover, all words of M + 1 symbols from each state, and harmonised identifiers.
 #include "conformance/testgen/test_suite.hpp"
 

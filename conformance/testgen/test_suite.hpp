@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A finite complete test suite for a machine over cycles: the HSI method (Petrenko, Yevtushenko, Lebedev, Das,
 // "Nondeterministic state machines in protocol conformance testing", 1993; Luo, Petrenko, v. Bochmann 1994), a W-method
 // with harmonised state identifiers. Complete: every deterministic implementation with at most m states more than the

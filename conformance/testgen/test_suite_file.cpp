@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A test suite as a log of runs, and as GoogleTest; see test_suite.hpp.
 #include <fmt/format.h>
 

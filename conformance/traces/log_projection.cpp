@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // NF_c(M) with unobserved events hidden, and with every beginning of a cycle as an initial state for logs that start
 // late.
 #include "conformance/traces/log_projection.hpp"

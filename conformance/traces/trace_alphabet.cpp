@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Maps names and values of a log to events of NF_c(M), by the model's names or, if two share one, those of the
 // generated interface.
 #include "conformance/traces/trace_alphabet.hpp"

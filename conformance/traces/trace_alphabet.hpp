@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Words of a log as events of NF_c(M): `e?v` is a reading, `o!a!b` a write (docs/traces.md). Values outside the finite
 // instantiation are distinguished from those inside.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See trace_check.hpp. A run is followed in the normal form of NF_c(M) with unobserved events hidden: a node is the set
 // of states the model may be in after the logged events (Roscoe UCS 10.4.2, normalisation; computed on demand).
 #include "conformance/traces/trace_check.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks whether recorded runs are runs of the model: membership in traces(NF_c(M)), run by run and cycle by cycle, for
 // logs of any size (docs/traces.md; trace validation after Cirstea et al., "Validating traces of distributed programs
 // against TLA+ specifications", 2024).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads logs line by line: the header first, then the tokens of runs.
 #include "conformance/traces/trace_text.hpp"
 

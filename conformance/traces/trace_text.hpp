@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The text of logs (docs/traces.md): lines, tokens, the header, errors with their places. Reads line by line, so a log
 // may be larger than memory.
 #pragma once

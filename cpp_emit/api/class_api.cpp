@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides the contents and names of the classes.
 #include "cpp_emit/api/class_api.hpp"
 

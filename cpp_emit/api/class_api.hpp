@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The classes that users of the generated code see, after Li et al. 2017, "Simulation and deployment": a class for each
 // interface (variables as members, events as flags, operations as methods to override), and a class for each machine
 // that inherits them (states as an enumeration, a timer for each clock, MakeTransition). Only the core implements

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The text of interface and machine classes.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes the class `Console` of main.cpp: raising inputs by name, printing outputs, asking for choices.
 #include "cpp_emit/api/console_class.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The class of a console program: a controller that prints its outputs and whose inputs are raised by name.
 #pragma once
 

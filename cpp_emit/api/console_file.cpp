@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A console driver and the build file of the generated library.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A variable that others see is written by a function, any other by a plain assignment.
 #include "cpp_emit/code/assignment.hpp"
 

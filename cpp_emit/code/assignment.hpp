@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Assignments to variables, clocks and deadlines, for all places in which they are stored.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes the functions that enumerate the carrier of a type, for quantifiers and comprehensions.
 #include "cpp_emit/code/carriers.hpp"
 

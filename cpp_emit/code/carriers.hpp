@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Functions of generated code that visit the values of a type.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The event API of a component: `Event` and `dispatch(state, event, platform)`, in addition to `step`.
 #pragma once
 

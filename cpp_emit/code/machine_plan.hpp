@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The control points of a machine: the names of its nodes and transitions in the code, and which of them need separate
 // code (semantics 3.3, 3.4).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Receives an event from any source: a register of the platform, another machine that waits to send it, a buffer, or no
 // source (semantics 3.9). Used for triggers and input statements.
 #pragma once

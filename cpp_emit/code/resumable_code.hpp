@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Resumable programs as the cases of one switch: each case runs to the next place where the program may have to wait
 // (for time, for an input, for an operation), stores its place and returns.
 #pragma once

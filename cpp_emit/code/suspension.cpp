@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Structural recursion over statements; the source or target of an event decides whether it waits (semantics 3.9).
 #include "cpp_emit/code/suspension.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides where a program may have to wait, so that its code must be able to stop there and resume later.
 #pragma once
 

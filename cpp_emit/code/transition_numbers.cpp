@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers transitions machine by machine in textual order, for the trace hook.
 #include "cpp_emit/code/transition_numbers.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The transitions of a component by number: those of all its machines and operations, in the order of Component::units.
 // Units for the same operation of the model share numbers. The trace hook identifies transitions by these numbers.
 #pragma once

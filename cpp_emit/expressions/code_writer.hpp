@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Indented text of generated files. The writer opens and closes blocks, so the output needs no formatter.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cpp_emit/expressions/cpp_expr.hpp"
 
 namespace robochart::cpp_emit {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text of a C++ expression together with the precedence of its outermost operator.
 #pragma once
 

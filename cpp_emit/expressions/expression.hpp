@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expressions of the model as C++ text over the Types policy.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expressions over values with parts: binders (over the carriers of the instantiation, semantics 3.13), functions and
 // relations as values, the toolkit libraries, vectors and matrices.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Preconditions of the functions that an expression calls (semantics 3.5). The code tests the same preconditions as the
 // semantics, in the same order: inner calls first, since the condition of an outer one may need their values; under a
 // binder for every value for which the body is evaluated; in both operands of a logical operator, even if one decides

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Data that all emitters of one run share.
 #pragma once
 

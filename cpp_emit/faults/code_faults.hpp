@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeded faults in generated code: a line of the core is deleted, repeated or changed. These are the faults that the IR
 // cannot express and a line of code can: what is cleared, advanced, awaited or consumed.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cpp_emit/faults/faulty_model.hpp"
 
 #include "cpp_emit/faults/expression_faults.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A model with the seeded fault of a run, together with the plan of the unchanged model.
 #pragma once
 

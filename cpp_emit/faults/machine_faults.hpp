@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeded faults in machines: the machine as a faulty generator would read it, if the IR can express the fault. For
 // faults below the IR (order of exits, places, dispatch) the emitters ask Mutation.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The seeded fault of one generator run: its kind, and the place to which it applies.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The code that concerns several machines: rendezvous, buffers, the state around the machines' frames, one cycle of all
 // machines (semantics 3.9).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The core header: one translation of the machine, used by the deployed controller and by the explorer.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

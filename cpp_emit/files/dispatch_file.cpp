@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The event API of the core: `Event`, `begin`, `dispatch` and `pass`, with a switch or a table if no action waits.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds places where an event raised by the platform may be lost or taken late (docs/conformance.md, "Events that can
 // be missed", "Events that come second").
 #include <algorithm>

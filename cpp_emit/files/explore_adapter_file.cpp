@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exploration interface: the core over finite carriers, called through the C functions of explore_abi.h.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

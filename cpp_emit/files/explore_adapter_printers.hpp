@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How the exploration interface prints a state: functions in its source that print the name and value of each field.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Information for tools about a generated controller: the layout of its state as a table, the names of places, and, for
 // compilers that support them, the platform as a concept.
 #include <fmt/format.h>

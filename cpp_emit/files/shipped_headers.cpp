@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All headers of cpp_emit/runtime for the conformance check, and those that a component's values need.
 #include "cpp_emit/files/shipped_headers.hpp"
 

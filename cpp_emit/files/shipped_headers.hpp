@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The headers that are delivered with generated code, below robochart/.
 #pragma once
 

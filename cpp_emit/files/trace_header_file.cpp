@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // NAME_trace.hpp: the transitions of a controller by number, and its cycles in the form of a log (docs/traces.md;
 // reference API: the metadata and the trace hook of etcd's raft, compiled only on request).
 #include <fmt/format.h>

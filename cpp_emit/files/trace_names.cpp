@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The short name of each input and output (`e` for `e.in`), unless two would share it.
 #include "cpp_emit/files/trace_names.hpp"
 

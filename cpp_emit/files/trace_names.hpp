@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names of inputs and outputs in logs of runs (docs/traces.md): those of the model if they are unique.
 #pragma once
 

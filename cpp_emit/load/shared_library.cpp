@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiling and loading; see shared_library.hpp. The flags separate two loaded controllers: each symbol is local to its
 // object (hidden visibility, RTLD_LOCAL), and inline variables are not merged across objects (-fno-gnu-unique).
 // Otherwise one controller would use the other's tables, and every comparison would succeed.

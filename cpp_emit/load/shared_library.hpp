@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiles generated sources with the system's compiler and loads them into this process.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Control and during threads: entry, exit and transition actions in the order of semantics 3.4:
 // exits innermost first, transition action, target's entry, initial transition and first child, `entered`.
 #pragma once

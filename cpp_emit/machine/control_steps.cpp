@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cpp_emit/machine/control_steps.hpp"
 
 #include <fmt/format.h>

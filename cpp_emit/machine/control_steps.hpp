@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The steps of control as statements: a transition continues, control enters a node, a state is left. The continuation
 // of a program is one statement: the next function, or the place where control resumes later.
 #pragma once

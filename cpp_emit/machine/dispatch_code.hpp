@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The event API of a machine whose programs never wait. The reaction of a state to an event is one case, selected by a
 // nested switch or, from five states on, by a dense table. Each case tries the transitions as step() does: inner states
 // first, then textual order (semantics 3.4). Then it takes transitions that need no event until none is enabled.

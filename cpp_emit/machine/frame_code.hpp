@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The struct of a machine's state, and the enumerations of its members.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The struct of a machine's state and its enumerations, as data.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Assembles a machine's code: threads as switches, the loop around them, time, the struct of its state.
 #include "cpp_emit/machine/machine_code.hpp"
 

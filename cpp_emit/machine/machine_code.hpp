@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The code of one machine: enumerations of its places, the struct of its state, and its functions
 // (control, during actions, transitions, time), as text to be assembled by core_file.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The data that the writers of one machine's code share: its plan, its threads, the text written so far.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The code of seeded faults of order, if programs may wait.
 #pragma once
 

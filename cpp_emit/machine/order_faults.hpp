@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeded faults of order, which the IR cannot express: the order of actions when states are left and entered. In
 // production all answers are false.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Both functions test the places of the threads; threads of operations are tested inside their calls.
 #include "cpp_emit/machine/propagation_code.hpp"
 

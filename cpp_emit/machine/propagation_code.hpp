@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Propagation of writes to a machine waits for its threads (semantics 3.7): calls of the platform are made before
 // others write, and communications with deadlines hold up writes of others.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs that never wait, as functions: a transition whose exits, action and entries never wait is one straight
 // effect, in the order of semantics 3.4 (exits from the innermost outwards, action, entries).
 #pragma once

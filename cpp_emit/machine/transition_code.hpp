@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The choice of transitions: active states from the inside out, in each state the textual order. Triggers are examined
 // before they are consumed, and guards see the incoming value (semantics 3.4 "Guards").
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Looks up the elements of the component that a unit's numbers denote.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The component to generate, in its context: the machine that runs, the operations that it calls, and the appearance of
 // its events, calls and shared variables at its boundary (semantics 3.2 "visible alphabet per level", 3.7-3.9).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The destinations of events of a component's machines: its boundary, other machines, buffers (semantics 3.9).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lists registers and outputs of a component in the order of the exploration interface.
 #include "cpp_emit/plan/exploration_ports.hpp"
 

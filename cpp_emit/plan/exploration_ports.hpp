@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The component's boundary for the exploration interface and logs: registers read in a cycle, outputs made in it, with
 // their names in the CSP alphabet (semantics 3.2 "visible alphabet per level"). Private to this component.
 #pragma once

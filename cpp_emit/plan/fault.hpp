@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeded faults of the generator: errors that a generator of robot code can make, with a name for each kind. They are
 // used to test the conformance checker (mutation analysis; docs/conformance.md, "Mutants").
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides which shipped headers a component needs, and the values of which types its expressions enumerate.
 #pragma once
 

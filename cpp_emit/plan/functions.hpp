@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Functions that the model specifies only by contracts, over the finite carriers; the explorer computes them by these
 // tables.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names in generated C++: every name of the model becomes a legal identifier that is unique in its scope.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names that identifiers from the model must not have in C++, as lists (cpp_emit/reserved); scripts/reserved_names.sh
 // generates the first two.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Collects the data about a component of the IR that generation needs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Constructs that the C++ generator rejects by name. A rejected component gets no code rather than wrong code.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cpp_emit/plan/types.hpp"
 
 #include <fmt/format.h>

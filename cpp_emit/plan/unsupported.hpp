@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rejects by name, before any code is written, constructs for which no code can be generated.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cpp_emit/plan/walk.hpp"
 
 #include "cpp_emit/plan/component.hpp"

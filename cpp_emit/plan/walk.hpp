@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Walks over the IR in addition to those of semantics/ir/visit.hpp.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Code that fills the fields of a message. Private to this component.
 #pragma once
 

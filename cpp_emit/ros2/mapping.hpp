@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A mapping as it is written: which messages carry the operations, events and shared variables of one component, and on
 // which topics (docs/ros2.md). node_plan.hpp compares it with the component.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fields of common ROS 2 messages (the packages common_interfaces, builtin_interfaces, ackermann_msgs), so that
 // errors are found in the mapping and not in generated code.
 #pragma once

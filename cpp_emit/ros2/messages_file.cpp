@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The class that stores the controller's outputs as messages until the end of a cycle.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of the model in messages: their scalars, and the fields that can carry them. Private to this component.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds constants whose values come from the generation's options and not from the model.
 #include <fmt/format.h>
 

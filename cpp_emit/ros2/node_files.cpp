@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The header and source of the node.
 #include "cpp_emit/ros2/node_files.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The text of a ROS 2 node: the class that stores messages until the end of a cycle, and the lifecycle node that uses
 // it.
 #pragma once

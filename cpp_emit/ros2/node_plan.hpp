@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The messages that the node of a component publishes and receives: the mapping bound to the class, and topics of
 // std_msgs for elements that the mapping omits.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The names of packages, messages, fields and topics that ROS 2 accepts, and the file names that it derives from them.
 #pragma once
 

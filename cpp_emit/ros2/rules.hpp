@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors in a mapping to ROS 2 messages (docs/ros2.md).
 #pragma once
 

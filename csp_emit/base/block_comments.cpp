@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text between tokens that is not blank is a comment; text inside a string literal that looks like a comment is not.
 #include "csp_emit/base/block_comments.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Keeps the comments of CSP blocks for scripts that are printed: they are attached to the syntax tree, which ignores
 // them during evaluation.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The channels that machines, controllers and modules all declare (semantics 3.2).
 #include "csp_emit/base/component.hpp"
 

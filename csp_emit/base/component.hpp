@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the emitted forms of machines, controllers and modules have in common: a CSPM module and the parameters of its
 // process variants (semantics 3.12).
 #pragma once

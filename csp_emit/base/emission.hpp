@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The result of the emission: the script, the checks to make with it, and what its names mean in the model.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The beginning of every script: directions of events, bounded data types and, in timed scripts, the operators that
 // hand-written specifications use. The names are RoboTool's (semantics 3.10, 3.13), so that users' CSP blocks work.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reserved words are those of the FDR manual (CSPM: definitions, built-in definitions) and of library.cpp.
 #include "csp_emit/base/names.hpp"
 

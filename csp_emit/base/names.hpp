@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names of the script. Elements of the model keep RoboTool's names (semantics 3.2, 3.12). Generated names (parameters,
 // program points) are made distinct from all channels, constructors and functions, because a CSPM parameter with such a
 // name would be a constructor pattern.

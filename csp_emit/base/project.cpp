@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reporting and excerpts.
 #include "csp_emit/base/project.hpp"
 

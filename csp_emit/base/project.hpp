@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The data that every part of the emitter uses: the model, its finite instantiation, the diagnostics.
 #pragma once
 

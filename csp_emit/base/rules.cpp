@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The messages of csp_emit's rules. The codes are ours; they do not change once published.
 #include "csp_emit/base/rules.hpp"
 

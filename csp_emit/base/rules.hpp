@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rule table of this component: constructs without a CSP semantics here, and errors in CSP blocks.
 #pragma once
 

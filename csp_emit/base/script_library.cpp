@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The library of emitted scripts, written in CSPM and parsed once: clipped arithmetic, time, and the toolkit functions
 // that the model calls.
 #include "csp_emit/base/script_library.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The beginning of a project's script, as a syntax tree.
 #pragma once
 

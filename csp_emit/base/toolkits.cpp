@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The contracts of frontend/toolkits/library in a computable form. Sets and sequences are CSPM's; relations and
 // functions are sets of pairs. A function that depends on all values of a type takes these values as last arguments
 // (semantics/evaluate/toolkit.hpp). Preconditions are named `pre_` and the function's name, as for functions of the

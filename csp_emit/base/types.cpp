@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Carriers: basic types are named sets of the instantiation; composed types are built from their parts (semantics 3.13:
 // records, products and vectors are tuples, functions are sets of pairs).
 #include "csp_emit/base/types.hpp"

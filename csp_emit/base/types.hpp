@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Types of the model as CSPM sets, and values of the model as CSPM values (semantics 3.13).
 #pragma once
 

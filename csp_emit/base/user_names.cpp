@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Collects the names that CSPM declarations introduce: constructors, modules, and all others.
 #include "csp_emit/base/user_names.hpp"
 

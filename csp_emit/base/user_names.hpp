@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The names that CSPM text declares at its top level.
 #pragma once
 

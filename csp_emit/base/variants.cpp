@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Priority and compression as RoboTool applies them.
 #include "csp_emit/base/variants.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Operators that the process variants of all components share (semantics 3.12).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks CSP blocks as `check` reads them, without a search: syntax, names and types in the emitted script.
 #pragma once
 

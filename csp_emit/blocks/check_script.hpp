@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks the types of an emitted script and reports errors in terms of the CSP blocks that the user wrote.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The names that CSP blocks can use: the declarations of the emitted script, module by module.
 #pragma once
 

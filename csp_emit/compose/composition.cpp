@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The structure is RoboTool's: ((parts \ connections) [| memory |] Memory) \ memory [| {|terminate|} |> SKIP.
 #include "csp_emit/compose/composition.hpp"
 

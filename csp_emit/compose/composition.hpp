@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The common part of controllers and modules: parts in parallel, synchronisation on connected events, propagation of
 // writes to shared variables (semantics 3.7, 3.9).
 #pragma once

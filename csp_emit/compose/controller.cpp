@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Controllers: their channels, their machines, their connections.
 #include "csp_emit/compose/controller.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Controllers (semantics 3.9): machines in parallel, each in its own module inside the controller's module.
 #pragma once
 

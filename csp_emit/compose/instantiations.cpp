@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Defaults follow semantics 3.13; the finite sets themselves are chosen by semantics/instantiation.
 #include "csp_emit/compose/instantiations.hpp"
 

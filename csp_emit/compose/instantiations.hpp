@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The finite carriers, constants and functions: RoboTool's instantiations.csp and *_defs.csp (semantics 3.13).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Modules: events and calls of the platform are visible, writes to platform variables are propagated, asynchronous
 // connections between controllers are buffers, and termination is hidden.
 #include "csp_emit/compose/module.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A clipping function returns its first operand if the result is not a value of the type.
 #include "csp_emit/expressions/clipping.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the finite instantiation changes values: results of arithmetic outside their type are clipped, and functions
 // without a body return a chosen value (semantics 3.13). The checker records the calls of these functions that it
 // evaluates while it explores processes; this file explains them in terms of the model.

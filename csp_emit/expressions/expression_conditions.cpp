@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Preconditions of the functions that an expression calls: `pre_f(args) & ...` before the statement or transition
 // (semantics 3.5). Preconditions of inner calls come first, because the precondition of an outer call may need their
 // values. Under a binder, the precondition is required for every value for which the body is evaluated.

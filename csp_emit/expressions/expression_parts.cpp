@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values with parts: vectors and matrices as tuples (of rows), selection and replacement of components, conversions
 // between types that CSPM represents differently (semantics 3.13).
 #include <algorithm>

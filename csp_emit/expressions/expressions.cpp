@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One case per ExprKind; no default, so that the compiler finds a kind that is missing.
 #include "csp_emit/expressions/expressions.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expressions of the model as CSPM expressions. RoboTool's functions clip arithmetic to the carrier of its type
 // (semantics 3.13: Plus, Minus, Mult, Div, Modulus, Neg). Reals are integers in units of 1/scale.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The class that implements expressions.hpp: one member function for each family of ir::ExprKind, in three sources.
 // Private to csp_emit. Names that its templates bind end in `__` and are reserved (names.cpp), so expressions inserted
 // into a template never contain them as free names.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Declaration by declaration, in the order of the module.
 #include "csp_emit/machine/declarations.hpp"
 

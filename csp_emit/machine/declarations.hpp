@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The machine's module: RoboTool's channels, event sets and process variants (semantics 3.2, 3.12) around the functions
 // of the points.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A machine that runs on its own, in a controller, and in that controller within a module has the same module of the
 // script in each place, except for its name. It is emitted once and renamed. If other operations are defined in a
 // place, the machine is emitted again.

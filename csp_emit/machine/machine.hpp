@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One machine as one sequential process: mutually recursive functions, one for each reachable configuration, whose
 // parameters are the machine's constants, variables, clocks and counters (semantics 3.3 to 3.8, 3.10, 3.11).
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The phases of a machine's emission: explore, give parameters, choose memories, declare.
 #include "csp_emit/machine/machine_module.hpp"
 

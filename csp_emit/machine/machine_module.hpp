@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The CSPM module of a machine in one place.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Describes a configuration in terms of the model.
 #include "csp_emit/machine/meanings.hpp"
 

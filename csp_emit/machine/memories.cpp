@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Estimates the number of states from the sizes of the carriers and searches for the least number of memories.
 #include "csp_emit/machine/memories.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Chooses which variables are parameters of the machine's process and which get a memory process (semantics 3.6).
 #pragma once
 

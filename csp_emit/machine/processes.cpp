@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The work list of points, and the conversion of the rules' results to processes.
 #include "csp_emit/machine/processes.hpp"
 

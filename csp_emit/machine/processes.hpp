@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts configurations to functions: the rules are applied from the initial configuration. Each configuration that
 // waits for an event gets a function, whose body is the external choice of its branches.
 //

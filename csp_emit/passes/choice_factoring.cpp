@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Factors branches of a choice with equal continuations into one branch over the union of their events.
 #include "csp_emit/passes/choice_factoring.hpp"
 

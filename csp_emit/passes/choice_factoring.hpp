@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Merges branches of a choice that differ only in their events, such as external writes whose values are never read, or
 // the passing of time if nothing counts it. `a?x -> P [] b?x -> P [] tock -> P` becomes `[] e__ : {| a, b, tock |} @
 // e__ -> P`, the same process in less text.

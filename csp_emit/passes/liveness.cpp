@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A parameter is live if its name occurs in the body outside calls within the family, or in an argument for a live
 // parameter; a parameter that a call does not mention keeps its value. A backward analysis along the calls finds the
 // least such set. A function that several calls share has the parameters needed by all of them: a call passes on only

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which parameters the functions of a family need. Calls are first written with only those arguments that differ from
 // the caller's values; a backward analysis along the calls then finds the live parameters. A variable that will be
 // overwritten before it is read, or a clock that will be reset, is not a parameter: the processes stay equivalent and

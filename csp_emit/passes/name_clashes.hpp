@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Generated code and the CSP blocks of users form one script. If both use the same name for different things, one of
 // them gets a number: a generated parameter with the name of a channel or constructor would be a pattern that matches
 // only that value, and a function with the name of a library or predefined function would replace it.

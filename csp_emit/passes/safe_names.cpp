@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An element inside a component's CSPM module may have the name of a predefined function that the script does not use
 // there, because the module's own name takes precedence. At the top of the script all predefined names are in use.
 // RoboChart has several name spaces where CSPM has one: if two elements of a model would have the same name in CSPM,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names of the model that CSPM cannot use: its keywords, predefined and library functions that the script would confuse
 // with the element, and names that two elements would share in the script. Such elements get a number after their name,
 // everywhere in the model.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Components that are used in several places (a machine on its own and in a controller, a controller in a module)
 // become modules with equal text. Such a module is written once, with an unused parameter, and each place has an
 // `instance` of it: the same channels and processes under the same names (FDR manual, modules), in less text.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See variable_memory.hpp. A function holds a remembered variable if its body uses it other than to pass it on
 // unchanged. Variables that a called function holds and the caller does not are read immediately before the call.
 #include "csp_emit/passes/variable_memory.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Variables held in separate memory processes in parallel with the machine's process, as in RoboTool's semantics
 // (semantics 3.6): for machines whose variables together have too many values to be parameters of one process. The
 // machine reads a variable with `get_x?x` before it evaluates it and keeps the value only as long as it needs it. It

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "csp_emit/swarm/compose.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A swarm as CSP: the robots' generated processes, and their world.
 //
 // Every robot is the component's compressed process, with its events renamed to events that carry its number. On a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conditions of a swarm's claims as events that observe all robots at once.
 #pragma once
 

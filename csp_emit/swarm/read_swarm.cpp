@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "csp_emit/swarm/read_swarm.hpp"
 
 #include <fmt/format.h>

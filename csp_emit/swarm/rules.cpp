@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "csp_emit/swarm/rules.hpp"
 
 namespace robochart::csp_emit::swarm_rules {

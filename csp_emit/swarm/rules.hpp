@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of swarms (docs/rules/RC-V*.md).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A swarm as data: copies of one component's semantics, on a grid or where any robots may be near each other, and the
 // claims about them. docs/emergence.md describes the notation; its words are those of scenarios if they have the same
 // meaning (docs/scenarios.md).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See advice.hpp.
 #include "diagnostics/advice/advice.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Explains probable mistakes: forms of other notations and incomplete forms. Each language has a table of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stores results of earlier runs, addressed by the content that they were computed from. There is one file per entry,
 // in 16 folders by the first digit of the file's name. Each folder is limited to its share of the total size; the least
 // recently used entries are removed first. Several processes may use one cache, because a file is always complete or

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A hash of content that identifies it: BLAKE2b with 256 bits (RFC 7693), from libsodium.
 #pragma once
 

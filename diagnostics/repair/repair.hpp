@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Applies certain fixes only if they improve the texts. Fixes are applied in memory and the texts are read again; a fix
 // that does not help is undone.
 #pragma once

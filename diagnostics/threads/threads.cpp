@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "diagnostics/threads/threads.hpp"
 
 #include <fmt/format.h>

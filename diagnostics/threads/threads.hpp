@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Threads that work for one caller. Exceptions of a thread are passed to the caller, and a thread that cannot be
 // started counts as a reached limit. So no thread ends the program by std::terminate.
 #pragma once

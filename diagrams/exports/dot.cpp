@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See dot.hpp.
 #include "diagrams/exports/dot.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exports pictures to Graphviz, which computes its own layout.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exports pictures to Mermaid, which many websites render from text.
 #pragma once
 

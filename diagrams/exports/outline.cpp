@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See outline.hpp.
 #include "diagrams/exports/outline.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A picture without its geometry, for exports that compute their own layout.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs the steps of the layout in order. The connected components of a level are laid out separately and arranged in
 // rows.
 #include "diagrams/layout/arrange.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The layered layout of a level (Sugiyama, Tagawa, Toda: Methods for visual understanding of hierarchical system
 // structures, 1981). docs/diagrams.md describes the steps.
 #pragma once

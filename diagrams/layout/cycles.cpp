@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides which edges are drawn against their direction. By default, these are the back edges of a depth-first search
 // from the entries, with targets in textual order. After an edit, edges that led upwards before are reversed first.
 // `kept` also reverses edges that join added boxes, so that the other boxes can keep their places. `few` reverses few

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See drawn.hpp.
 #include "diagrams/layout/drawn.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The layout of a level as a person drew it. The parts of the drawing that still fit are kept; missing parts are laid
 // out automatically.
 #pragma once

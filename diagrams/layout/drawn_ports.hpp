@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Squares on the borders of boxes whose positions a person has drawn, and the labels of the squares.
 #pragma once
 

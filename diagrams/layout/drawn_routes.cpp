@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See drawn_routes.hpp. An orthogonal route is a list of alternating horizontal and vertical segments, each stored as
 // its y or x. So every list of numbers is an orthogonal route that ends at the borders of its boxes.
 #include "diagrams/layout/drawn_routes.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Routes of edges between boxes whose positions a person has drawn.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The widths of the characters of DejaVu Sans, the preferred font of diagrams.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See free_space.hpp.
 #include "diagrams/layout/free_space.hpp"
 

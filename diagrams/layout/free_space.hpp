@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Records the occupied places of a level, to find free places for text and lines.
 #pragma once
 

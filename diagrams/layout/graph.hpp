@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The layered graph on which the steps of the layout work. Layers are stacked from top to bottom. For a layout to the
 // right, boxes and labels are transposed before and transposed back after.
 //

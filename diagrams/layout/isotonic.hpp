@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Positions on a line that keep a given order and minimum gaps, and are as near as possible to wanted positions.
 #pragma once
 

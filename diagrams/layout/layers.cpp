@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Assigns layers. Each box is placed as high as the boxes above it allow (longest path). Then each box moves to where
 // its edges are shortest, which moves boxes with more successors than predecessors down.
 #include <algorithm>

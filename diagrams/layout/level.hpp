@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One level of a diagram as the input of a layout (boxes with sizes, edges with labels), and the resulting placement.
 // Inner levels are laid out first, each separately; the size of a box includes its contents.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Makes the nodes and links of all edges. An edge passes every layer between its ends; its label is in the odd layer
 // nearest to the middle. An edge that ends at a port on the side away from its other end turns next to the box.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Orders the nodes of each layer. Sweeps sort each layer by the mean position of the neighbours in the adjacent layer
 // (barycentres), and adjacent nodes are exchanged. This is done from several initial orders. The first of the orders
 // with the fewest crossings is kept. The first initial order is that of the text (Domroes, von Hanxleden: Preserving

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Computes the x of every node. Sweeps over the layers solve each layer exactly for the current positions of its
 // neighbours. Then edges are straightened where there is space. Finally, the edge ends on the sides of boxes are
 // placed.

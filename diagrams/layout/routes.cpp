@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See routes.hpp.
 #include "diagrams/layout/routes.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts the layered graph back to boxes and edges.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See text_width.hpp.
 #include "diagrams/layout/text_width.hpp"
 

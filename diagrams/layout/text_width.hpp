@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Computes the width of text and breaks text into lines, with the widths of DejaVu Sans; no font is loaded.
 #pragma once
 

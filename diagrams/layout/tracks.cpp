@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Computes the y of every layer and the tracks of horizontal edge segments between two layers. The vertical order of
 // two segments decides whether they cross, and whether their vertical neighbours overlap. An insertion search orders
 // all segments of a gap.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See elements.hpp.
 #include "diagrams/notation/elements.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The elements of a model that diagrams show, numbered in textual order. An element has one id in all diagrams of a
 // run. The id contains its number and never its name.
 #pragma once

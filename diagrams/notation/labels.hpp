@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The text of diagrams, in RoboTool's order and spelling. Invisible characters are escaped.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Remembers how components were laid out before an edit, so that an edit moves few elements.
 #pragma once
 

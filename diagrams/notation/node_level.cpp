@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See node_level.hpp.
 #include "diagrams/notation/node_level.hpp"
 

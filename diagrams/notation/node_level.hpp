@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The nodes and transitions of a machine or a composite state, laid out from inside out.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See painter.hpp.
 #include "diagrams/notation/painter.hpp"
 

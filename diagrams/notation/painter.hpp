@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Drawing functions that diagrams of all kinds share: titles, labels, squares of events.
 #pragma once
 

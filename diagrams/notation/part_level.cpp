@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See part_level.hpp.
 #include "diagrams/notation/part_level.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The components of a module or controller with the squares of their events, and the connections between them.
 #pragma once
 

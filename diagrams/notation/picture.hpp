@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A diagram as data: boxes, lines and text with their places, and the elements of the model that they show. All formats
 // are written from this data (diagrams/svg).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See rows.hpp.
 #include "diagrams/notation/rows.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows of a box: an icon and declarations, one after another, broken if the row is too wide.
 #pragma once
 

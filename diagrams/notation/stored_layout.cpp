@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See stored_layout.hpp.
 #include "diagrams/notation/stored_layout.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The layout of a component by a person, keyed by declarations. diagrams/stored reads it from RoboTool's files.
 #pragma once
 

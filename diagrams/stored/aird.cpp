@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See aird.hpp. Expat reports elements one after another; the relevant ones are stored directly.
 #include "diagrams/stored/aird.hpp"
 

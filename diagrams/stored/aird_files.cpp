@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See aird_files.hpp.
 #include "diagrams/stored/aird_files.hpp"
 

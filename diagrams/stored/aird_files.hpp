@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Caches files with diagrams for servers: each is read once, and again if it changes on disk.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See component_reader.hpp. A node, component or event in RoboTool's file is the declaration to which its reference
 // leads, if that declaration has the displayed name. Otherwise, because declarations may have been added or moved, it
 // is the declaration of that name next to it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts the shapes and lines of a file to the layouts of its components.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See fragments.hpp.
 #include "diagrams/stored/fragments.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Resolves references in RoboTool's files to elements of a model: `FILE.rct#//@machines.0/@nodes.1`. A feature with a
 // number denotes the declaration with that number in textual order. No file is opened: only the last part of FILE is
 // compared with the names of the model's files.

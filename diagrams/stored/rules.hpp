@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Findings about diagrams that RoboTool stores (docs/diagrams.md).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See stored_diagrams.hpp.
 #include "diagrams/stored/stored_diagrams.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The diagrams of a model that people drew in RoboTool. They are searched for in the folders of the model's files, and
 // used if they match the current model. They are never written.
 #pragma once

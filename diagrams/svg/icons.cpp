@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See icons.hpp.
 #include "diagrams/svg/icons.hpp"
 

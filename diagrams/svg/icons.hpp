@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The icons of diagrams, drawn for this project.
 #pragma once
 

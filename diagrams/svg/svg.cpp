@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See svg.hpp. Colours are CSS class rules, because librsvg does not support custom properties. Arrowheads are paths,
 // because markers would need unique ids.
 #include "diagrams/svg/svg.hpp"

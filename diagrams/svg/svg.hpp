@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes pictures as SVG: a self-contained file, readable with light and dark themes. docs/diagrams.md shows it.
 #pragma once
 

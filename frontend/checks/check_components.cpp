@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules about what components and interfaces may contain (language reference 2: STM1 to M, DT).
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules about single connections and about their number (language reference 2: Cn2, Cn4, Cn11, types, C6, M3).
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cn10 (language reference 2): the component at each end of a connection has the connected event. If an interface
 // clause is missing, all events of the interface are missing; this is reported once, even if several connections need
 // the events.

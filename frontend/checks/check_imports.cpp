@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Imports of packages or declarations that neither the project nor a toolkit declares (RC-N04; language reference 1.3).
 // RoboTool ignores such imports silently.
 #include <fmt/format.h>

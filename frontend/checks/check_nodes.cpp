@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules about nodes, transitions and actions (language reference 2: S2 to PT2).
 #include <fmt/format.h>
 

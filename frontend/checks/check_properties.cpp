@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The form of a probabilistic property: a condition or a query. A number is not allowed, nor is a path formula without
 // a quantifier.
 #include "frontend/checks/checks.hpp"

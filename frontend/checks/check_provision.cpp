@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules about what components require and their context provides (language reference 2: C3, C4, M2, STM8 to STM10).
 // Variables match by name and compatible type.
 #include <fmt/format.h>

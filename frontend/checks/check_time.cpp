@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules about clocks and deadlines (language reference 2, Time). The typer reports unknown clocks and states (TE2, TE3,
 // TS1).
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Declarations that share a name (published as RP3, I3, C5, STM5, O1). Each name gets one warning, at its second
 // declaration, with notes at the others.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The well-formedness rules of a resolved model, grouped by area (private to the front end).
 #pragma once
 

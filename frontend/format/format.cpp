@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See format.hpp. Reads the text, lays out its tokens, and compares the result with the text.
 #include "frontend/format/format.hpp"
 

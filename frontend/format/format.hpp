@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The standard layout of RoboChart and assertion text (docs/format.md). Only blanks and line ends change. Tokens,
 // comments, CSP blocks and parts of other tools stay as they are.
 #pragma once

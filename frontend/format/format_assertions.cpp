@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Assertion files: one assertion a line. CSP blocks and parts of other tools are kept unchanged.
 #include "frontend/format/format_assertions.hpp"
 

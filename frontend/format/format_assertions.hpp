@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The layout of assertion files: one assertion a line. CSP blocks and parts of other tools are kept unchanged (private
 // to the formatter).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files, declarations, components and types: one declaration a line; bodies in braces are indented by one tab.
 #include <algorithm>
 #include <array>

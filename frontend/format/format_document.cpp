@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Builds and prints documents: a group is printed on one line if it fits, otherwise its breaks become line ends.
 #include "frontend/format/format_document.hpp"
 

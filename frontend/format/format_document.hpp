@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Documents that can be laid out in several ways (private to the formatter), after Wadler, "A prettier printer" (2003).
 // A group is written on one line if it fits; otherwise the breaks directly in it become line ends. Nodes store their
 // widths, so each decision takes constant time.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expressions. One that is too long breaks before its weakest operators first, then inside its operands.
 
 #include "frontend/format/format_expressions.hpp"

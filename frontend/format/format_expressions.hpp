@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The layout of expressions, types and lists, which models and assertion files share (private to the formatter).
 #pragma once
 

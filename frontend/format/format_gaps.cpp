@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See format_gaps.hpp. Writes the text between two tokens: a gap, and the comments in it. A comment after a token stays
 // on the token's line. A comment that begins a line still begins a line, indented as the next token.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tokens and the gaps between them (private to the formatter). Every token is written when it is read, so no token is
 // lost even if the formatter misreads the text.
 //

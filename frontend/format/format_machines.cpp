@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // States, actions, transitions. A short body is written on the line of its head; the parts of others get a line each.
 #include "frontend/format/format_model.hpp"
 

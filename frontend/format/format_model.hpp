@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The layout of model files: declarations, machines, statements (private to the formatter). The formatter reads the
 // tokens again after the parser has found no mistakes. Constructs that are missing here would be laid out badly, but
 // not lost.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Probabilistic assertions: each property, constant, reward, function and command is written on one line, or on several
 // indented lines if it is too long.
 #include <algorithm>

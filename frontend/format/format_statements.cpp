@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Statements and communications.
 #include "frontend/format/format_model.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See format_words.hpp.
 #include "frontend/format/format_words.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tokens of a text and the comments between them, read in order (private to the formatter).
 #pragma once
 

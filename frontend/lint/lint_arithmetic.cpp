@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arithmetic that may leave its type: a divisor that can be 0, and a difference cast to nat that can be negative. The
 // analysis uses the guard of the transition, the conditions of enclosing `if`s and boolean operators, and
 // preconditions. A fact is dropped when a variable in it is assigned. RoboTool's arithmetic does not fail in these

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Variables that are read before they are set (semantics 3.6: until then they hold a default; a boolean holds `true`).
 // This is a forward analysis of the variables that are certainly set. It follows the order of semantics 3.4: trigger
 // value, guard, exit actions from inside out, action, entry actions from outside in. A during action may be interrupted

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RC-W21: variables that only grow. Every assignment adds to the variable (or subtracts from it, or multiplies it). At
 // least one of these assignments can happen repeatedly, and no condition reads the variable, so its growth has no
 // bound. The finite instantiation stops such a variable at its last value; generated code stops it at the end of its

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Guards that leave no transition enabled (semantics 3.4: a junction without a true guard is stuck), and guards that
 // are never or always true.
 #include <fmt/format.h>

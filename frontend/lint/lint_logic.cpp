@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads expressions as formulas over atoms. lint_logic_search.cpp searches for values that satisfy them. Numbers are
 // doubles here: integers below 2^53 are exact, and equal decimal literals are equal.
 #include "frontend/lint/lint_logic.hpp"

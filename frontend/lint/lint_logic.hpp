@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A small decision procedure for guards (private to the front end). It handles boolean combinations of linear
 // comparisons of numbers, enumeration literals and boolean terms; any other expression is an unknown boolean. It
 // answers "impossible" only with a proof and "possible" only with a consistent example. Otherwise it answers "unknown",

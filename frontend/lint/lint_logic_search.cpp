@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Searches for values that make a formula true. The comparisons of one linear form divide the number line into points
 // and open intervals. The search assigns each key an interval, a literal or a truth value, and evaluates the formula
 // over the keys assigned so far in Kleene's three-valued logic. If linear forms share terms, Fourier-Motzkin

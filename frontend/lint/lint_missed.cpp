@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Events that arrive while an action waits (semantics 3.3, 3.10). An entry, exit or transition action is not
 // interrupted, so the transitions of enclosing states cannot take the event before the action ends.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nodes that cannot be reached from the initial junction of their container. Enabled transitions are chosen freely
 // (semantics 3.4), so only a transition that can never be taken breaks a path.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names that hide others. The order of lookup (language reference 1.3) is: bound variables, parameters, own
 // declarations, interfaces in order, enumeration literals.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Slips in single statements and transitions: a duplicate transition, a variable assigned to itself, a wait that its
 // own deadline interrupts.
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Helpers that the lints share: transitions by their ends, effects of actions, mentions of variables.
 #include <algorithm>
 #include <cstdlib>

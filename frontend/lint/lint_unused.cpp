@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Unused declarations (RC-W07), variables that are assigned but never read (RC-W08), both over the whole project, and
 // clocks that are read but never reset (RC-W18). Interfaces and operations may be a library for other projects, so
 // their declarations are not reported. An exception is an interface that is only named with `uses`: its variables and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Warnings about models that are well-formed but probably not intended (private to the front end). A warning is given
 // only if a reader who knows the semantics would agree with it (pages of the rules RC-W…); in doubt, no warning is
 // given. The cost is linear in the size of the project, apart from bounded searches over the guards of one node.

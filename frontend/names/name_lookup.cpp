@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Resolves names through scopes and imports. An unknown name is reported once, with the nearest spelling.
 #include "frontend/names/name_lookup.hpp"
 

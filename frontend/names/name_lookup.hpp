@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Looks names up and reports unknown ones with suggestions (private to the front end).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tables of declarations by name, filled file by file; the declarations of nearer files are preferred.
 #include "frontend/names/names.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The names of a project and their lookup (language reference 1.3); private to the front end.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Collects what components offer, require and use, from their declarations and interfaces.
 #include "frontend/names/scopes.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The members that a component sees: its own and those of its interfaces (language reference 1.3).
 #pragma once
 

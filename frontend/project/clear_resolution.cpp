@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See clear_resolution.hpp. Fields are overwritten without following them: they may point into files that no longer
 // exist.
 #include "frontend/project/clear_resolution.hpp"

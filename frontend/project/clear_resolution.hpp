@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Resets a tree to what the parser produced (private to the front end).
 #pragma once
 

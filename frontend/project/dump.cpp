@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The model as indented text, one node a line, for `--print ast` and `--print model`.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See incremental.hpp. The results kept for a file are those that resolving it again would give. They depend on its own
 // text, on the parts of other files that it can see (`outside_of`), and on a few facts about the project. Each of these
 // is compared.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Resolution for editors. It follows a project whose files change one at a time, at a cost that depends on the change.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See occurrences.hpp. Resolution stores the target of the last part of each name in the tree. The targets of the parts
 // before it are the declarations around that target, or follow from the path if it leads through references (language
 // reference 1.3).

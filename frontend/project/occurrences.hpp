@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The occurrences of every name of a project with their targets. Go-to-definition, references and renaming use them.
 #pragma once
 

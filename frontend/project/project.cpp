@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a path to a resolved model. A folder is a project. For a single file, the files of its folder that it needs are
 // loaded as well.
 #include "frontend/project/project.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The entry point of the front end: turns a path into a resolved and typed model, or into diagnostics.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The whole resolution: names, then types, then rules. A declaration with a syntax error is not checked by the rules,
 // because a part that seems absent may be in the text that could not be parsed. While some file has syntax errors,
 // rules about several declarations are not checked at all.

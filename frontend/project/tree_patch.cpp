@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Moves the declarations of the new tree into the nodes of the old tree, so that references from other files stay
 // valid.
 #include "frontend/project/tree_patch.hpp"

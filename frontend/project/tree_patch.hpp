@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Replaces the contents of a file's tree while the addresses to which other files point stay valid (private to the
 // front end).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See units.hpp. Union-find with path halving (Tarjan, van Leeuwen 1984).
 #include "frontend/project/units.hpp"
 

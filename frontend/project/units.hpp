@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Divides the files of a project into groups. Files belong together if one refers to the other, imports it or has the
 // same package. Files of different groups share no declaration and no finite instantiation.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See component_paths.hpp.
 #include "frontend/resolve/component_paths.hpp"
 

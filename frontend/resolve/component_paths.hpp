@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Components found along paths through references, such as `Module::controller_ref::machine_ref`. The resolver uses
 // them, and so do readers of the paths in probabilistic assertions.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Resolves headers first: types, interface clauses and references of all files. Bodies can then be resolved in any
 // order.
 #include "frontend/resolve/resolver.hpp"

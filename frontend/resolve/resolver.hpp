@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fills in the declaration of every name and every type (private to the front end).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Assertions and csp blocks (assertion language 4). Component names are paths through references, such as
 // `Module::controller_ref::machine_ref::State`. If a csp block has the same name, the block is meant.
 #include <fmt/format.h>

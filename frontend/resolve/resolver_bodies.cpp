@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bodies: initial values, contracts, nodes, transitions, connections, parameters of assertions.
 #include <fmt/format.h>
 

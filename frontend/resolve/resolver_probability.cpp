@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names in probabilistic assertions: states, variables, constants and events of the model by their paths, literals, and
 // definitions of assertion files. A definition is looked up in the same file first, then in all others.
 #include <algorithm>

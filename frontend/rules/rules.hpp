@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rule table of the resolved model: names, well-formedness and types (language reference 2). Codes are the
 // published ones if they exist; the others are ours (RC-...). Two rows may share a code if they report the same rule in
 // different circumstances.

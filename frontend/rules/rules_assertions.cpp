@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules about assertions and csp blocks (assertion language 4 and its validator).
 #include "frontend/rules/rules.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules about what components, interfaces and types may contain.
 #include "frontend/rules/rules.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Warnings about well-formed models: constructs that are probably not intended, and what they mean.
 #include "frontend/rules/rules.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules about clocks, waiting and deadlines.
 #include "frontend/rules/rules.hpp"
 

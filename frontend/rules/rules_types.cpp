@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules about types. Tg: rules about communications, after the published rules about triggers.
 #include "frontend/rules/rules.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The few functions of the tree itself.
 #include "frontend/syntax/ast.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The syntax tree of RoboChart text (`.rct`) and assertion text (`.assertions`), after the public grammars
 // RoboChart.xtext and Assertions.xtext. The parser fills the syntactic fields; name resolution fills `target`s and
 // typing fills `type`s ("filled by resolve/typing" below).

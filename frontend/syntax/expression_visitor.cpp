@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pre-order traversal of expressions, statements and nodes.
 #include "frontend/syntax/expression_visitor.hpp"
 

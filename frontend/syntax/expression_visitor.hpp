@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Visits all parts of statements and expressions. The recursion is bounded, because the parser limits nesting.
 #pragma once
 

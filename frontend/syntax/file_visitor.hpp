@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One traversal of everything in a file that has a name or that resolution fills. The visitor has an overload of
 // `visit` for every kind of node; it is called before the parts of the node. The recursion is bounded, because the
 // parser limits nesting.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Words of other notations (UML and SCXML, Stateflow, UPPAAL, PRISM, programming languages) that authors use in models,
 // with RoboChart's equivalents. The parser and name resolution share one table of words. The parser has a second table,
 // of forms that consist of several words.

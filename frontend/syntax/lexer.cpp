@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See lexer.hpp. One pass over the bytes; the longest matching symbol is taken, as in Xtext.
 #include "frontend/syntax/lexer.hpp"
 

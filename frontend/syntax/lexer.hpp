@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tokens of RoboChart and assertion text, after Xtext's common terminals (ID, INT, STRING, comments) and
 // RoboChart.xtext.
 #pragma once

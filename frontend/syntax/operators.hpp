@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The binary operators of expressions and their precedence (RoboChart.xtext: Expression to CallExp).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The core of the parser: tokens, mistakes, recovery, and the file as a whole.
 #include "frontend/syntax/parser.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recursive-descent parser over the tokens of one file (private to the front end). The productions are those of the
 // public RoboChart.xtext and Assertions.xtext. Each method is named after what it parses.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Assertion files (Assertions.xtext). CSP blocks and the parts of other tools are kept as text.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Literals, names and bracketed forms (RoboChart.xtext: Atomic).
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Members of contexts, controllers, modules, references, connections (RoboChart.xtext: ControllerDef, RCModule).
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files, packages, imports, types, functions, interfaces, platforms (RoboChart.xtext: RCPackage to RoboticPlatform).
 #include <fmt/format.h>
 

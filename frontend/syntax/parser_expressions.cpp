@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Operator precedence parser (RoboChart.xtext: Expression to CallExp). Binary operators are left-associative.
 #include <fmt/format.h>
 

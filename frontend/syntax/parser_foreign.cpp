@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Forms of other notations: reported with RoboChart's own form, and read as that form (foreign_words.hpp).
 #include <fmt/format.h>
 

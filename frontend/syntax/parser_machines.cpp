@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // State machines, operations, nodes, actions, transitions (RoboChart.xtext: StateMachineDef to Action).
 #include <fmt/format.h>
 

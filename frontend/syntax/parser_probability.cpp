@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Probabilistic assertions (Assertions.xtext): properties, the definitions that they use, and expression forms that
 // only they allow.
 #include <fmt/format.h>

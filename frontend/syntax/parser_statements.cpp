@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Statements and communications (RoboChart.xtext: Statement to CommunicationStmt, Communication).
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Types as written (RoboChart.xtext: Type to TypeRef). The weakest operator is `<->` (right-associative), then `->`
 // (right-associative), then `*` (n-ary; after the first `*`, only a name, a set, a sequence or parentheses may follow).
 #include <fmt/format.h>

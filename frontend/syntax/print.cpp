@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints expressions, types and statements. Parentheses of the source are nodes of the tree, so printing adds none.
 #include "frontend/syntax/print.hpp"
 

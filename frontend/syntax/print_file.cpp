@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints whole files as RoboChart text, one member a line. See print.hpp.
 #include <fmt/format.h>
 

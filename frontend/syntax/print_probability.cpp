@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints probabilistic assertions. See print.hpp.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See syntax_rules.hpp. Codes RC-P are about parsing, codes RC-F about finding files. Retired codes are never reused.
 #include "frontend/syntax/syntax_rules.hpp"
 

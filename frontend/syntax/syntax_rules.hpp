@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rule table of the parser: all mistakes of a text that are found before names are resolved.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads the tokens of a text in RoboChart's notation one after another, for the small notations used with models:
 // scenarios, mappings. Reading stops at the first syntax error.
 #pragma once

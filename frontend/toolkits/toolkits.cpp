@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See toolkits.hpp. The texts are compiled in by frontend/CMakeLists.txt.
 #include "frontend/toolkits/toolkits.hpp"
 

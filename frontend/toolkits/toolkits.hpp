@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The libraries of the language (core, set_toolkit and others), shipped inside the tool (private to the front end).
 #pragma once
 

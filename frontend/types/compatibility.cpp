@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // compat(a, b) of the type provider: whether a value of type a may be used where b is expected (language reference 2,
 // Types).
 #include <algorithm>

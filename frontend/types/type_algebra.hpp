@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Constructs and combines semantic types (private to the front end).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts types as written to semantic types.
 #include <array>
 #include <charconv>

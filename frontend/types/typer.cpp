@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Types of expressions: literals, collections, conditionals. The rules are those of the type provider (language
 // reference 2, Types).
 #include "frontend/types/typer.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Resolves names and computes types inside types, expressions, statements and communications (private to the front
 // end). Every method fills the `target` and `type` fields that it visits and reports mistakes. A wrong part gets no
 // type, and rules ignore parts without a type.

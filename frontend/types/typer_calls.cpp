@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Calls of functions, literals and function values; parts of tuples, vectors and records.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Resolves names in expressions: bound variables, members of the component, literals, functions.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Resolves names and computes types in statements and communications.
 #include <fmt/format.h>
 

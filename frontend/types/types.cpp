@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints types; compatibility is in compatibility.cpp.
 #include "frontend/types/types.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Semantic types of RoboChart expressions, and the compatibility relation of RoboChartTypeProvider (reference:
 // RoboChart manual, type system; rules RC-T in docs/rules).
 #pragma once

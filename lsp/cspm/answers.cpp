@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "lsp/cspm/answers.hpp"
 
 #include <fmt/format.h>

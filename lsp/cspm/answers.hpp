@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The server's functions for CSPM scripts (LSP 3.17): notifications about texts, findings, and requests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The CSPM scripts that an editor has open. A script is read together with the files that it includes; open texts
 // override those on disk. An open file that another open file includes is read as part of that file, because its names
 // may be declared there.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads the client's capabilities from `initialize`, and states the server's.
 #include "lsp/features/capabilities.hpp"
 

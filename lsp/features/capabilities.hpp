@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The capabilities of client and server (LSP 3.17, initialize).
 #pragma once
 

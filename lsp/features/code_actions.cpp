@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Offers the fixes of rules as quick fixes.
 #include <fmt/format.h>
 

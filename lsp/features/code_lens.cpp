@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Commands in the text: "check" above each assertion, "draw" and "step" above each module, controller and machine. The
 // editor runs them, because they may take long and need its windows.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Completion: the names and keywords that are allowed at a place.
 #include <fmt/format.h>
 

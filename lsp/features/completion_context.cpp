@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Determines what may be written at the cursor from the tokens before it.
 #include "lsp/features/completion_context.hpp"
 

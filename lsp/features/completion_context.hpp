@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Determines what is allowed at a place of a text that is being written. It uses the tokens before the place and not
 // the tree, because the text usually has syntax errors while it is written.
 #pragma once

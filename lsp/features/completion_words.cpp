@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The keywords for each context, and the snippets.
 #include "lsp/features/completion_words.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The keywords that are allowed at a place, for completion (RoboChart.xtext, Assertions.xtext).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Features inside CSP blocks of assertion files: the names of the script that contains the block.
 #pragma once
 

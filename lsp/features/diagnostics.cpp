@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sends the findings of rules to the editor.
 #include <map>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The diagram of the component at a place, with the places of its elements in the text. While the text has syntax
 // errors, the last picture is used.
 #include "lsp/features/diagram.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Diagrams next to the text: the project's own requests and notifications `robochart/diagram` and
 // `robochart/diagramChanged` (docs/lsp.md, "Diagrams").
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Applies the client's notifications to the workspace.
 #include "lsp/features/documents.hpp"
 

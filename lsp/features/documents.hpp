@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Notifications about texts, files and folders (LSP 3.17, text document synchronization).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The features of the server, one file each. Every request handler gets the session and the parameters and returns the
 // result (LSP 3.17, language features).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Foldable ranges: braces over several lines, comments, runs of imports.
 #include "frontend/syntax/lexer.hpp"
 #include "lsp/features/features.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Formatting in the standard layout (docs/format.md).
 #include "frontend/format/format.hpp"
 #include "lsp/features/features.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hints about facts that a text omits: the types of variables that are declared without one, and the values of
 // constants whose initial expressions use only whole-number arithmetic.
 #include <charconv>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The meanings of reserved words (language reference, chapters 2 and 3; docs/semantics.md for timing).
 #include "lsp/features/keywords.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Explanations of the reserved words of the language, for hovers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Navigation from names to declarations and back.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Renaming in a whole project. Names that are matched only by equality are renamed together: an operation and the
 // signatures that it implements, a required variable and the one that provides it (language reference 2, C3, C4, STM8
 // to STM10).

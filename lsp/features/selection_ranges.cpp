@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ranges of "expand selection": the token, then the constructs that contain it, from inside out. Expressions and
 // statements come from the tree; in text with errors, brackets and declarations are still available.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Semantic highlighting of names. Keywords and literals are left to the editor's grammar.
 #include "lsp/features/features.hpp"
 

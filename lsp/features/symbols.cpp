@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Outlines of documents, and the search for names over all projects.
 #include <algorithm>
 #include <cctype>

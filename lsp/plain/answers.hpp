@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The server's functions for scenarios, mappings and swarms (LSP 3.17): notifications about texts, findings, and
 // completion of keywords.
 #pragma once

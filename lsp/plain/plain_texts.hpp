@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenarios, mappings to ROS 2 and swarms that an editor has open. Each file is checked separately. `simulate`, `emit
 // cpp` and `check` report names that the model does not declare.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Findings of rules as messages of the protocol (LSP 3.17, Diagnostic), for all languages.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // State shared by the reader thread and the server: pending messages, cancelled requests, the end of input.
 #include "lsp/protocol/interruption.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interrupts work that is no longer needed. The reader thread sees messages while the server still handles an earlier
 // one. A cancelled request ends (LSP 3.17, $/cancelRequest), an analysis ends when its texts change, and everything
 // ends soon after the editor requests to exit.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses through nlohmann's event interface. Its own parser does not limit nesting, and it searches for an equal key
 // before it adds a member, which takes quadratic time.
 #include "lsp/protocol/json.hpp"

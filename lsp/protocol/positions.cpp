@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See positions.hpp. A byte that is not UTF-8 counts as one unit, because editors show one replacement character for
 // it.
 #include "lsp/protocol/positions.hpp"

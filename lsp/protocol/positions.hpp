@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Positions as in LSP 3.17 (Position): lines and columns from 0; columns count code units of the negotiated encoding.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads and writes frames. A faulty header is skipped up to the next header.
 #include "lsp/protocol/transport.hpp"
 

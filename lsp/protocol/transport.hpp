@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Messages on a byte stream (LSP 3.17, base protocol): `Content-Length: N`, an empty line, N bytes.
 #pragma once
 

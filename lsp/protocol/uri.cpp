@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Percent decoding and encoding of file URIs.
 #include "lsp/protocol/uri.hpp"
 

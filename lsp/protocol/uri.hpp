@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Paths and file URIs (RFC 3986, RFC 8089).
 #pragma once
 

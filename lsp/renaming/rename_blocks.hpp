@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Renames names of the model in CSP blocks when the model's names are renamed.
 #pragma once
 

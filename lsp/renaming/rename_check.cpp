@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See rename_check.hpp. Edits replace names by names, so the n-th name before the edits is the n-th name after them.
 #include "lsp/renaming/rename_check.hpp"
 

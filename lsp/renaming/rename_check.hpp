@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks on a copy of the project, before the editor gets an answer, whether a renaming keeps the meaning of every
 // name.
 #pragma once

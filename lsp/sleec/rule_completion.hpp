@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Completion in SLEEC rule files.
 #pragma once
 

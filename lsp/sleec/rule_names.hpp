@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names and words of a rule file by place, and its outline.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "lsp/sleec/rule_texts.hpp"
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The SLEEC rule files that an editor has open. Each file is checked separately.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints heads of declarations and finds the comments above them.
 #include "lsp/workspace/describe.hpp"
 

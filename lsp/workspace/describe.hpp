@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Descriptions of declarations, for hovers, completions and outlines.
 #pragma once
 

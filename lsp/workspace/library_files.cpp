@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Searches the folders above the program for the libraries: installed files, or those of the source tree.
 #include "lsp/workspace/library_files.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The libraries of the language as files that an editor can open.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares the targets of occurrences.
 #include "lsp/workspace/names.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds the occurrences of names that refer to the same declaration or element.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Open texts in languages other than RoboChart: CSPM scripts, SLEEC rules. Changes and findings are handled alike for
 // all of them.
 #pragma once

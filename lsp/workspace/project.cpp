@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One project: keeps texts, trees and the resolved model up to date.
 #include <algorithm>
 #include <filesystem>

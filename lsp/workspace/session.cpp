@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "lsp/workspace/session.hpp"
 
 #include <fmt/format.h>

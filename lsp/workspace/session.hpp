@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The settings negotiated with one editor, and the interface of request handlers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expresses a new text as a change of an old one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Enumerates the visible names: from the place outwards, then the package, imports, and qualified names.
 #include "lsp/workspace/visible.hpp"
 

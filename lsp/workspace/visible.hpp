@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The names that can be written at a place (language reference 1.3).
 #pragma once
 

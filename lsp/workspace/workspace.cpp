@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Assigns files to projects. Each folder of the workspace is a project, and so is each subfolder with a `.project` file
 // (as written by Eclipse and RoboTool). A file outside the workspace forms a project with the files in its folder.
 #include "lsp/workspace/workspace.hpp"

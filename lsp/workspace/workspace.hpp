@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The projects that an editor has open: folders, their files on disk, and the open texts that override them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The interface of an encoding of RoboChart as Markov models: the meaning of names in properties, and the models for
 // values of constants.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides a probabilistic assertion for every combination of the values that it gives to constants.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See path_words.hpp.
 #include "probability/experiments/path_words.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random paths in terms of the model.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See decision_process.hpp.
 #include "probability/process/decision_process.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Markov decision process of a component: the operational semantics of its timed process, in which the steps that
 // leave a probabilistic junction are the branches of one choice. Every other step (internal, event or tock) is a
 // separate choice.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The states of a process with the names of its hidden events, and the comparison with another process.
 #pragma once
 

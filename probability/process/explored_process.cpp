@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See explored_process.hpp.
 #include "probability/process/explored_process.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The timed process of a component with all its states, and the objects that read them.
 #pragma once
 

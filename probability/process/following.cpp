@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See following.hpp.
 #include "probability/process/following.hpp"
 

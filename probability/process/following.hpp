@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Computes which states of a machine can follow each other after some time units, for any environment. The result is a
 // proof about the timed semantics of its component, because the computation uses all states.
 #pragma once

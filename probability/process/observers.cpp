@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See observers.hpp.
 #include "probability/process/observers.hpp"
 

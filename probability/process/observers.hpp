@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Makes the events in properties visible in the states of a process. A process in parallel with the machine or module
 // that has the event takes part in it and never refuses it:
 //    Observer(n)    = e -> Observer(1 - n)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The timed CSP semantics of a component as a Markov decision process. This encoding resolves no choice that the model
 // leaves open, and bounds count time units.
 #pragma once

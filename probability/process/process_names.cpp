@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See process_names.hpp.
 #include "probability/process/process_names.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The meaning of names of properties in the states of a process.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The machines inside a component, in the contexts in which they run.
 #pragma once
 

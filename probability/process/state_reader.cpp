@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See state_reader.hpp.
 #include "probability/process/state_reader.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads the states of a process: the definitions of its components, with the values of their parameters.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See subgraph.hpp.
 #include "probability/process/subgraph.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks that a process with a restricted scheduler is part of the process with all schedulers.
 #pragma once
 

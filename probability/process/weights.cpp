@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See weights.hpp.
 #include "probability/process/weights.hpp"
 

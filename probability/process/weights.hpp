@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Computes the probabilities of the branches of probabilistic junctions exactly, as fractions. Unlike in the CSP
 // semantics, values are not clipped or rounded: a probability is the number in the model.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The counterparts of names in probabilistic assertions in the model that answers them. Each encoding of RoboChart
 // defines its own. Paths are those of the RoboChart model, through references:
 // "Module::controller_ref::machine_ref::x".

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A probabilistic assertion in PRISM's language, as data.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See translate.hpp.
 #include "probability/properties/translate.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Translates probabilistic assertions (RoboTool's language, docs/assertions.md) to PRISM's language. The translation
 // follows RoboTool's: `Finally` becomes F, `a::b::x` a variable, `M is in S` a comparison. Labels, formulas and
 // functions are expanded where they are used.

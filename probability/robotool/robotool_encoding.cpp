@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See robotool_encoding.hpp.
 #include "probability/robotool/robotool_encoding.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RoboTool's encoding of a module (prism_emit) as the model for properties. The additions of a property (rewards,
 // modules, functions in place of calls) are made in a copy of the model, as RoboTool does for each assertion.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Translates names of RoboTool's encoding to terms of the model.
 #pragma once
 

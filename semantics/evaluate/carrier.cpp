@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finite carriers of types, default values and membership in carriers (semantics 3.6, 3.13).
 #include <algorithm>
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The values of a type in a finite instantiation.
 #pragma once
 

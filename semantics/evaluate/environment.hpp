@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The values of the names in an expression, and the error of an expression without a value.
 #pragma once
 

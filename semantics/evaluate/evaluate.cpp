@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evaluates expressions: names, logic, comparisons, and the dispatch to families of expressions. evaluate.hpp states
 // the rules.
 #include "semantics/evaluate/evaluate.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The value of an expression over finite carriers. This is the reference for arithmetic: csp_emit's functions and
 // cpp_emit's code must agree with it (their tests compare).
 //

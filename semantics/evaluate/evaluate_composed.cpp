@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values with parts; evaluate.hpp states the conventions.
 #include "semantics/evaluate/evaluate_composed.hpp"
 

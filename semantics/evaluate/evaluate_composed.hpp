@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Constructs values with parts and accesses the parts (private to this component).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evaluates arithmetic on numbers, and on vectors and matrices entry by entry (semantics 3.13).
 #include <algorithm>
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evaluates expressions that construct values with parts, access parts, or iterate over the values of a type:
 // constructors, access, ranges, quantifiers and other binders, functions of the model and of the toolkits.
 #include <algorithm>

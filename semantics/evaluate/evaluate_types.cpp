@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evaluates expressions that change or test the type of a value: casts, conversions, type tests.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The class that implements evaluate.hpp by structural recursion: one member function per family of expressions, in
 // four source files. Private to this component.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Preconditions of the functions that expressions call (semantics 3.5). Computes whether they are true, and whether
 // this can be decided without running the model.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of the toolkit functions. Sets and sequences are represented as in evaluate.hpp: sets ascending, functions and
 // relations as sets of pairs.
 #include "semantics/evaluate/toolkit.hpp"

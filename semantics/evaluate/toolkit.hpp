@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The functions of the toolkit libraries: which exist, what they depend on, and their values. The libraries
 // (frontend/toolkits/library) specify them by contract, and csp_emit writes them in CSPM; this is the reference for
 // both.

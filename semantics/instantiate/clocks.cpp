@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The value at which a clock may saturate (semantics 3.10 stops clocks at the greatest value of their type).
 #include <algorithm>
 #include <set>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Extends carriers beyond the numbers in comparisons. A comparison such as `n > limit` would never be true if the
 // carrier ended at the limit.
 #include "semantics/instantiate/compared.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The numbers that values of a type are compared with (private to this component). RoboTool's carriers end at the
 // greatest literal. Here a carrier also contains, on both sides, one number beyond each number that values of the type
 // are compared with. Carriers of reals contain one number between each two neighbours. So every comparison is true for

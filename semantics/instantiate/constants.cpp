@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of constants (semantics 3.13: a constant without a value is 0, or the first literal).
 #include "semantics/instantiate/constants.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of constants from options, defaults and constant expressions (private to this component).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of constants from several sources: those of the command line override those of a scenario, a swarm or a log.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Chooses finite carriers, the scale and constants. instantiate.hpp states the defaults.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Makes a model finite: carriers of the basic types, values of constants, the scale of reals. Defaults follow
 // RoboTool's generated instantiations.csp (semantics 3.13):
 // * nat {0..2}, int {-2..2}, real {-2..2}, each widened to the least and greatest literal used with the type, and to

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See large_types.hpp.
 #include "semantics/instantiate/large_types.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See sequence_limits.hpp.
 #include "semantics/instantiate/sequence_limits.hpp"
 

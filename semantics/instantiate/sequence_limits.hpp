@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds expressions that need longer sequences than the finite instantiation contains.
 #pragma once
 

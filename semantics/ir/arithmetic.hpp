@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checked 64-bit arithmetic. The result has no value if the exact result does not fit.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The IR as text, for `--print ir`.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints expressions and statements: close to RoboChart, fully bracketed, with the names of the machine.
 #include "semantics/ir/dump_expressions.hpp"
 

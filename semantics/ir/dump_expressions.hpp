@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints expressions, types and statements for dump (private to this component).
 #pragma once
 

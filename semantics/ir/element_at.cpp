@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The spans of a machine's elements are nested, so the smallest one that contains a place is the innermost.
 #include "semantics/ir/element_at.hpp"
 

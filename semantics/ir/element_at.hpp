@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds the element of the model that contains a place, for reports about expressions, which have no names.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A finite instantiation of a System: the values of its types and constants.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shared intermediate representation: a RoboChart model in normal form. References are resolved, names are indices,
 // expressions are typed, actions are small structured programs. Both back ends (csp_emit, cpp_emit) read only this; it
 // contains no CSP and no C++.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Number literals of a model.
 #include "semantics/ir/literals.hpp"
 

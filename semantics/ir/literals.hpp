@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The numbers that occur in a model, by type. They widen the carriers and determine the scale (semantics 3.13).
 #pragma once
 

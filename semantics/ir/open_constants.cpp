@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See open_constants.hpp.
 #include "semantics/ir/open_constants.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds constants without a value in the model that are used in a divisor.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See own_constants.hpp.
 #include "semantics/ir/own_constants.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Relates the constants of a machine to those of the controllers that run it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Queries about a System.
 #include "semantics/ir/query.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Queries about a System that several readers of the IR need, such as the definition that an operation has in a context
 // and the name of a constant.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "semantics/ir/untimed_guards.hpp"
 
 #include "semantics/ir/visit.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conditions without time: how the untimed semantics reads a condition that reads clocks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Traversals of the IR.
 #include "semantics/ir/visit.hpp"
 

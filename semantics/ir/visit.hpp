@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Traversals of the expressions and statements of the IR, parents before children.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Chains of operation calls inside a controller must end. RoboTool bounds recursion (semantics 3.8); here it is
 // rejected.
 #include <algorithm>

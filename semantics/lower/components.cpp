@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Controllers and modules: components, the operations that are defined in them, connections (semantics 3.8, 3.9).
 #include "semantics/lower/components.hpp"
 

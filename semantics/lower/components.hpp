@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Controllers and modules. Private to semantics/lower*.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Variables, constants, events, clocks and operations of a context: its own and those of its interfaces.
 #include <algorithm>
 #include <map>

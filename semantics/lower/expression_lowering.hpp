@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The class that implements lower_expression: one member function per form of the language, in three source files.
 // Private to semantics/lower*.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Operators, conditionals and binders.
 #include "semantics/lower/expression_lowering.hpp"
 #include "semantics/lower/types.hpp"

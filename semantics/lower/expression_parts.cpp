@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Helpers that construct expressions, and conversions between number types.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Calls, parts of composed values, casts and clocks.
 #include <algorithm>
 #include <array>

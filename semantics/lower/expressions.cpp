@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expressions: dispatch by form, literals and names.
 #include <algorithm>
 

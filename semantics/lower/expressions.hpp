@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lowers expressions: names become indices, conversions between number types become explicit, negated literals become
 // one literal. Private to semantics/lower*.
 #pragma once

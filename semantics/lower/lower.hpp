@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts the resolved model to the shared IR.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shared parts of lowering.
 #include "semantics/lower/lowering.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The state that all steps of lowering share: the System under construction, and the ids of declarations of the syntax
 // tree. Private to semantics/lower*.
 #pragma once

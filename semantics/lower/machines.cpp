@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // State machines and operations: nodes, transitions, guards (semantics 3.3, 3.4, 3.11).
 #include "semantics/lower/machines.hpp"
 

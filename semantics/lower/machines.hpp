@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // State machines and operations, and the declarations of every kind of context. Private to semantics/lower*.
 #pragma once
 

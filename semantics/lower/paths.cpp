@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Follows component paths: Module::controller_ref::machine_ref::State.
 #include "semantics/lower/paths.hpp"
 

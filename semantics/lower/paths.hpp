@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Follows component paths of assertions through references. Private to semantics/lower*.
 #pragma once
 

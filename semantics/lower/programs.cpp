@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lowers statements to small structured programs (semantics 3.5).
 #include "semantics/lower/programs.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Creates the entries in the System before bodies are lowered, so that references can be resolved.
 #include "semantics/lower/components.hpp"
 

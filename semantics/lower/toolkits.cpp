@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Calls of the toolkit libraries. The types of the function's type variables follow from the arguments and, if these
 // leave them open, from the expected type.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Types: equal structures get the same id.
 #include "semantics/lower/types.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Types: maps the front end's semantic types to interned ids. Private to semantics/lower*.
 #pragma once
 

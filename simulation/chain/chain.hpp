@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A Markov chain of a swarm that is estimated from trials, its answers, and whether fresh trials contradict it. An
 // answer bounds all chains within intervals that hold jointly. It is a statement about the swarm only if the swarm is
 // such a chain; the fresh trials are used to refute that.

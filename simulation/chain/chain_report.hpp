@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The results of a chain as text, tables, JSON and plots.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "simulation/chain/states.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The states of a chain over a swarm, and the permitted transitions. A state contains the class of each measure that
 // the scenario distinguishes. Robots are treated as exchangeable: only the numbers of robots in each robot state are
 // stored (counter abstraction: Lomuscio and Pirovano, AAMAS 2019).

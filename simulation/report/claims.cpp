@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See claims.hpp.
 #include "simulation/report/claims.hpp"
 

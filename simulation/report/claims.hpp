@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Claims about probabilities, judged on the answers of trials in the order of their seeds. So the verdict and the
 // trials that it is based on do not depend on which trial ends first.
 #pragma once

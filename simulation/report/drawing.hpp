@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Functions that the pictures and plots of a simulation share: colours for the light and dark theme, ticks, legends.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Line plots as SVG: computed or estimated values against a parameter, with intervals as bars.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See percent.hpp.
 #include "simulation/report/percent.hpp"
 

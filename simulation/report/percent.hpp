@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Probabilities as text. Bounds stay correct when rounded: a lower bound is rounded down, an upper bound up.
 #pragma once
 

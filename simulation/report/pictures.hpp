@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures and tables of a trial as text: SVG, which browsers show without a library, and CSV for other tools.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Charts as SVG: the median of the trials, the middle half and the range as bands, and the values that the scenario
 // accepts.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A time of a trial as pixels, for videos.
 #pragma once
 

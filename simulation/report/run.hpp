@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs all trials of a scenario on several threads, compares their measures with the bands, and answers claims. Results
 // depend only on the scenario, not on the number of threads: claims are judged in the order of seeds.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The measures of a swarm over time, for every trial and over all trials, for plots.
 #pragma once
 

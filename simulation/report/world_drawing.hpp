@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The world of a scenario as SVG: the arena with walls and lights, axes, a scale bar, robots. The unit is a centimetre,
 // and the y axis points down. Sizes of letters and lines are multiples of a dot.
 #pragma once

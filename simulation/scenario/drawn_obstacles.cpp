@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See drawn_obstacles.hpp. Expat reports elements one after another; only the corners are stored.
 #include "simulation/scenario/drawn_obstacles.hpp"
 

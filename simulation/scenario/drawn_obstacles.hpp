@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Obstacles from a drawing: polygons of an SVG file (Scalable Vector Graphics 1.1, W3C 2011, chapters 8 and 9).
 #pragma once
 

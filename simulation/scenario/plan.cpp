@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Binds names of the scenario to ports of the controller and checks types; see plan.hpp.
 #include "simulation/scenario/plan.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scenario bound to a controller: the input that each feed fills, and the effects of each output.
 #pragma once
 

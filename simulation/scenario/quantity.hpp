@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers with units. Internally, lengths are in centimetres, times in seconds, angles in radians; fractions and counts
 // are plain numbers.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses a scenario and checks it against its component.
 #include "simulation/scenario/read_scenario.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts the text of a scenario (docs/scenarios.md).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mistakes in scenarios, and reasons for stopping a simulation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Derived values of a scenario.
 #include "simulation/scenario/scenario.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scenario: everything about a simulation except the controller. The text (docs/scenarios.md) uses RoboChart's
 // tokens. The founding paper's future work asks for "an extended notation from which the simulation configurations can
 // also be specified" (Li et al. 2017, section 4).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses scenarios: `abstract`, the states of a chain, and the questions that only a chain answers.
 #include <fmt/format.h>
 

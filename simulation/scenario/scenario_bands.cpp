@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses scenarios: measures and bands.
 #include "simulation/scenario/scenario_reader.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks the consistency of a scenario, and whether its robots fit.
 #include "simulation/scenario/read_scenario.hpp"
 #include "simulation/scenario/scenario_reader.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses scenarios: claims about probabilities, and the formulas in them and in `first`. The operators are those of
 // bounded linear temporal logic over one run (Younes and Simmons, CAV 2002); `stays for` refers to the past.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses scenarios (scenario.hpp, docs/scenarios.md): the table of items, times, the arena and its contents.
 #include "simulation/scenario/scenario_reader.hpp"
 

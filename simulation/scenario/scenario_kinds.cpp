@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses scenarios: kinds of robots, and the machine of the environment.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses scenarios: sensors, actuators, and their connections to the controller.
 #include "simulation/scenario/scenario_reader.hpp"
 

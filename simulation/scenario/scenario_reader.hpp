@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parser of scenarios (private to this component). It has one method for each item; the files with the definitions
 // are named below.
 #pragma once

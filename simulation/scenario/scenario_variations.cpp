@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses scenarios: `vary`, the values of a sweep.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The tokens of a scenario one after another (private to this component). Reading stops at the first syntax error.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses scenarios: failures of robots, and obstacles.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The table of readings of sensors and actuators (private to this component).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares the estimates of a sweep with a table of earlier trials.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The values that a scenario varies, and the results of its claims at each of them. All points use the same seeds
 // (common random numbers), and all points share the error of a claim (Bonferroni), so that the results hold jointly.
 #pragma once

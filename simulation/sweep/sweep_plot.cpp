@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See sweep_plot.hpp.
 #include "simulation/sweep/sweep_plot.hpp"
 

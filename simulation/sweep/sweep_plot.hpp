@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plots of a sweep as SVG, in the style of the other pictures of a simulation.
 #pragma once
 

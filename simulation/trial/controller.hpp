@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Builds and loads a generated controller. The controllers of a simulation are state values in one array.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The built-in world as a stage.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Formulas on a trial, evaluated at each instant as it comes, so that a trial can end when its answer is known. The
 // semantics is that of bounded temporal logic on a run that continues (Bauer, Leucker, Schallhart, "Runtime
 // verification for LTL and TLTL", TOSEM 20, 2011), with three values: true, false, not yet known.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Observers of the cycles of robots of several kinds: each kind has an observer that numbers its robots from 0.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measures of a swarm and their statistics over a trial. The second moment is that of Graham and Sloane as used by
 // Gauci et al., IJRR 33(8), 2014.
 #pragma once

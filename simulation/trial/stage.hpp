@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The positions and perceptions of robots: the built-in world, or another simulator behind an adapter. All use the same
 // order: sense, controllers, act, one control step (the order of Enki and of ARGoS).
 #pragma once

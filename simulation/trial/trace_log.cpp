@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes one log for each robot, buffered; the first failure is reported once.
 #include "simulation/trial/trace_log.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Logs of a trial in the format of docs/traces.md, one file per robot: the inputs and outputs of its controller in
 // every cycle, for `conform --traces`.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The cycle of a trial: sense, controllers, act, one control step; see trial.hpp.
 #include "simulation/trial/trial.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One trial: the robots of a scenario, each with its controller, from the start to the end or until a controller cannot
 // continue.
 #pragma once

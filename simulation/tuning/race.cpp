@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See race.hpp. The numbers of candidates, trials and seeds follow sections 3.1 to 3.3 of the paper.
 #include "simulation/tuning/race.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Iterated racing: finds the parameter values that do best in noisy trials (López-Ibáñez et al., "The irace package",
 // 2016). In each iteration, candidates are drawn near the best ones so far. All run on the same seeds, and those that
 // are significantly worse than the best are eliminated. The race is elitist: an elite is eliminated only when the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See space.hpp.
 #include "simulation/tuning/space.hpp"
 

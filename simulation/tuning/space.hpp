@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The search space of tuning: constants of a model, each with its possible values.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See trials.hpp.
 #include "simulation/tuning/trials.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs trials of tuning on several threads, and computes their costs.
 #pragma once
 

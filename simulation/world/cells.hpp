@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Disks sorted into the squares of a uniform grid (a cell list: Hockney, Eastwood, "Computer Simulation Using
 // Particles", 1988, 8-4), for finding neighbours and for following rays.
 #pragma once

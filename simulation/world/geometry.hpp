@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Points, segments and rays in the plane. Lengths are centimetres, angles radians, counter-clockwise from the x axis.
 #pragma once
 

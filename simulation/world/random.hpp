@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pseudo-random numbers of a trial: xoshiro256++ 1.0 (Blackman, Vigna: "Scrambled linear pseudorandom number
 // generators", ACM TOMS 47, 2021). Its state is filled from the seed by SplitMix64 (Steele, Lea, Flood, OOPSLA 2014),
 // as its authors recommend. The same seed gives the same numbers on every machine.

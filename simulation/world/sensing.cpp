@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The sensors; see sensing.hpp. Rays are cast exactly: against every disk if there are few, along the cells of a grid
 // if there are many, with the same results.
 #include "simulation/world/sensing.hpp"

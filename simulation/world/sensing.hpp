@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The sensors of robots in the built-in world: a line of sight, the range and bearing of others, light with shadows,
 // and proximity. The models follow published ones of the e-puck: Li et al. 2017, section 3; ARGoS' range-and-bearing
 // and light sensors.

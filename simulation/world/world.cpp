@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The world's physics; see world.hpp.
 #include "simulation/world/world.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The built-in world: disks with differential drive in a plane with walls. It is kinematic: a robot moves as its wheels
 // turn; overlapping disks are pushed apart in equal parts, and out of walls. It is deterministic for a seed, and the
 // method by which neighbours are found does not change a single bit of the results. Stored as a structure of arrays.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See conflicts.hpp.
 #include "sleec/analysis/conflicts.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Questions about rules without a model: whether a situation can arise in which not all rules can be obeyed, and
 // whether a rule is redundant. docs/rules-language.md, "Questions about rules".
 #pragma once

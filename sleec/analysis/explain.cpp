@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See explain.hpp.
 #include "sleec/analysis/explain.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Describes a conflict in terms of the rules: which rule, with which clause and line, started when, and what it
 // demands.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See properties.hpp. A shortest history begins with the occurrences of the property, at one instant. Every other
 // occurrence fulfils or ends an open duty; the remaining ones can be left out, because they only open duties, so no
 // rule is broken. The history can continue forever in two cases. It reaches a state in which all open duties are

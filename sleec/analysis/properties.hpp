@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Concerns and purposes (LEGOS): whether something that must be impossible, or possible, can happen while all rules are
 // obeyed, and whether a rule can be broken while all others are obeyed. docs/rules-language.md, "Concerns and
 // purposes", "Questions about rules".

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See rule_system.hpp.
 #include "sleec/analysis/rule_system.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All histories in which some rules are obeyed as long as possible, as a transition system. A state has no successors
 // if one rule demands an event, now at the latest, that the others forbid. So the search for deadlocks finds conflicts.
 #pragma once

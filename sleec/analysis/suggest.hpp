@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Suggests a smallest change that removes a conflict: `unless` at the end of one rule, or of two. Only changes
 // confirmed by a new search are suggested.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See check.hpp.
 #include "sleec/checks/check.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks the names and types of SLEEC files.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See checked.hpp.
 #include "sleec/checks/checked.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules after name resolution and type checking: events and measures are numbers, constants are values, times are in
 // seconds.
 #pragma once

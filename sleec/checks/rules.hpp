@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Diagnostics about names and types of SLEEC rules, as a table.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See endless.hpp.
 #include "sleec/conformance/endless.hpp"
 

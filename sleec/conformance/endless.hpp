@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides whether an event can occur infinitely often in a finite graph; needed for duties without limit.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See watch.hpp. docs/rules-language.md, "Whether a model obeys".
 #include "sleec/conformance/watch.hpp"
 

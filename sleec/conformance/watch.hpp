@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides whether a component obeys a rule, with the checker of scripts. A process in parallel with the component
 // nondeterministically selects one trigger and follows its obligation. The component obeys the rule iff no run of both
 // leads to `broken`. One obligation at a time is sufficient, because a rule is broken iff the obligation of some

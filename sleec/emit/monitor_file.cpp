@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See monitor_file.hpp.
 #include "sleec/emit/monitor_file.hpp"
 

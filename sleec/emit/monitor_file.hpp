@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Generates monitors of rules as C++ (`emit monitor RULES.sleec`). They have the same meaning as sleec/monitor, but do
 // not allocate memory. If several duties have the same demands, one of them represents all those whose outcome it
 // decides (cpp_emit/runtime/rules.hpp, `stands_for`). The number of other duties that can be open at once is at most

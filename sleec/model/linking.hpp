@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Links names of rules to a component of a model. An event is linked to an event or to the call of an operation; a
 // measure is linked to a typed event whose values the component reads or writes. Equal names are linked, unless `map`
 // states otherwise. A measure that the component does not have may have any value.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See rule_monitor.hpp.
 #include "sleec/monitor/rule_monitor.hpp"
 

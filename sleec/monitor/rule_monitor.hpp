@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Monitors rules at run time. Its input is a sequence of events, with the values of the measures, and seconds. It
 // reports where a rule is broken. A finite history never breaks a duty without limit.
 #pragma once

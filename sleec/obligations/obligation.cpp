@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See obligation.hpp.
 #include "sleec/obligations/obligation.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The demands of a trigger after all conditions are decided: a disjunction of demands that an event occurs, or does not
 // occur, in a window of time. docs/rules-language.md, "What rules mean".
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See open.hpp.
 #include "sleec/obligations/open.hpp"
 

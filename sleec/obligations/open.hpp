@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An open obligation, and the effects of events and seconds on it.
 #pragma once
 

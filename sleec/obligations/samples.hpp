@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The values of measures that a question distinguishes. All valuations with the same demands of all of its rules form
 // one sample, represented by one valuation.
 #pragma once

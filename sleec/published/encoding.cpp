@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See encoding.hpp. Each function states the part of SLEEC-TK's semantics that it implements.
 #include "sleec/published/encoding.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See format.hpp.
 #include "sleec/syntax/format.hpp"
 

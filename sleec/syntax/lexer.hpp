@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts SLEEC text to tokens. All words are tokens of one kind; the parser decides which are reserved.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conditions. See parser.hpp.
 #include "sleec/syntax/parser.hpp"
 #include "sleec/syntax/printer.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules, their triggers and responses. See parser.hpp.
 #include <utility>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tokens, blocks and definitions. See parser.hpp.
 #include "sleec/syntax/parser.hpp"
 

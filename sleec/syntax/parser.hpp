@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recursive-descent parser of both SLEEC dialects at once. Constructs of only one dialect are recorded and decide the
 // dialect of the file. `and` and `or` have the same precedence, are left-associative, and bind less tightly than `not`,
 // comparisons, sums and products.

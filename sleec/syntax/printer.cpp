@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See printer.hpp. Parentheses are written if the tree needs them, and between `and` and `or`.
 #include "sleec/syntax/printer.hpp"
 

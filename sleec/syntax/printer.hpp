@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints SLEEC trees as text that parses to the same tree.
 #pragma once
 

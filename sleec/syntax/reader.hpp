@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses SLEEC files to trees.
 #pragma once
 

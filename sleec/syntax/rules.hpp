@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Findings of the SLEEC parser, as a table.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The syntax tree of SLEEC: the dialects of SLEEC-TK and of LEGOS, and the extensions of this tool. Plain data, made by
 // the parser (reader.hpp) and written by the printer (printer.hpp). docs/rules-language.md contains the grammar.
 #pragma once

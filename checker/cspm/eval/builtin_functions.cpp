@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The predefined functions (FDR manual, chapter CSPM, Built-In Definitions).
 #include "checker/cspm/eval/builtin_functions.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The predefined functions (FDR manual, chapter CSPM, Built-In Definitions), except those that evaluate their arguments
 // only as far as they need them (takes_by_need, Evaluator::call_builtin).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The built-ins that evaluate their arguments only as far as they need them: functions on sequences and maps (FDR
 // manual, chapter CSPM, Built-In Definitions).
 #include <algorithm>

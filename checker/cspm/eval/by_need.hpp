@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sequences and maps that are evaluated on demand: streams, the order and equality of values, and the built-ins that
 // take their arguments by need.
 #pragma once

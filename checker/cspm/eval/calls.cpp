@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Functions, constants, the groups of a let, and pattern matching.
 #include <algorithm>
 

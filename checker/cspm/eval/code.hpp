@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expressions as code for evaluation: names are resolved to frame slots, members of a let, global definitions,
 // constructors or built-ins, so that evaluation never looks up a name.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sets of values, and dotted values: channels and constructors with their fields, their extensions, and events.
 #pragma once
 

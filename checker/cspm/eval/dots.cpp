@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dotted values: channels and constructors with their fields, their extensions, and events. A dot whose first item is a
 // head contains the head's fields, each a complete value, except possibly the last; any other dot is a plain list of
 // values (FDR manual: dots, extensions, productions).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evaluates expressions to values by need: arguments and let-bound constants wait until they are needed.
 #include <algorithm>
 #include <limits>

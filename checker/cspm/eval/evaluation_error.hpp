@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The single exception type of the evaluator: an error in the script, found during evaluation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evaluates code to values. The results are those of FDR's lazy evaluator: parts of tuples, sequences and maps that are
 // never needed may have no value. They are nevertheless evaluated at once, within a limit on work, and stay unevaluated
 // only if that fails (optimistic evaluation: Ennals and Peyton Jones, ICFP 2003).

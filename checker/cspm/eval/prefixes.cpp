@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prefixes: one term for each place in the script and values used there; its events are computed on demand.
 #include <algorithm>
 

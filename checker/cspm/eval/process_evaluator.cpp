@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The functions that the search calls: the body of a call, the branches of a prefix.
 #include "checker/cspm/eval/process_evaluator.hpp"
 

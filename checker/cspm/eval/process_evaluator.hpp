@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evaluates expressions that denote processes. They are built lazily: calls and prefixes become terms by name
 // (process_terms.hpp), and are evaluated only when the search needs their transitions (process/term.hpp, Definitions).
 #pragma once

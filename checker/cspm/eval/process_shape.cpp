@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The forms of expressions, and of the bodies of the functions that they call.
 #include "checker/cspm/eval/process_shape.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether the form of an expression shows that it denotes a process. Such a call or constant becomes a term by name
 // wherever it occurs, so that a process passed as an argument is not evaluated.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Terms of calls and prefixes, numbered by their keys.
 #include "checker/cspm/eval/process_terms.hpp"
 

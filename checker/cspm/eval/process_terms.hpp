@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Processes as terms. A call is a term named by its function and arguments, a prefix one named by its place in the
 // script and the values that it uses; both are evaluated only when the search needs them (evaluator.hpp).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts process expressions to terms. In a timed section choice, interrupt and the parallel operators synchronise on
 // tock, and STOP, SKIP and prefixes let time pass (semantics 3.10).
 #include <algorithm>

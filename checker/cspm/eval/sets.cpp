@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sets: explicit ones are sorted; Int, Proc, {n..}, Seq(S), Set(S) and Map(K,V) keep their form until their elements
 // are needed. Unions with sets that cannot be listed keep their parts, in a form that is unique for sets of numbers:
 // {0..} and no 1 in addition.

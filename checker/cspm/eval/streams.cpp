@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sequences that are not written out: <n..>, comprehensions whose elements are unevaluated or infinitely many, and
 // concatenations. They are taken apart element by element, on demand (FDR evaluates sequences lazily).
 //

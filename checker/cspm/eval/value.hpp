@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of CSPM's evaluator. Data are hash-consed: equal values are one object, so equality is a pointer comparison;
 // their order is structural and never depends on addresses. Functions are a definition with its captured values.
 // Unevaluated values (thunks), and values that capture or contain them, are temporary.

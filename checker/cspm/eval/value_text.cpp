@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints values as FDR does.
 #include "checker/cspm/eval/value_text.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts steps, and adds the call stack to errors.
 #include "checker/cspm/eval/work.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The work of an evaluation: its call stack, the number of steps, the limits of speculation.
 #pragma once
 

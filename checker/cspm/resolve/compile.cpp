@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The resolver's second half: converts expressions and patterns to code.
 #include <algorithm>
 #include <utility>

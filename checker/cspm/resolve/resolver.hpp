@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts trees to code: scopes, modules and their instances, names to slots (code.hpp). A module without parameters
 // is part of the script under a longer name; an instance is a copy of its module's declarations, in which the
 // parameters are defined as the arguments.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A variable is read wherever its name occurs, except as a whole argument for a parameter that is not read. Following
 // these links backwards from the variables that are read marks more variables as read; the others are unread.
 #include "checker/cspm/resolve/unread_parameters.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds parameters that are never read: a definition at most passes them on to parameters that are never read either.
 // Calls that differ only in such parameters are the same process (live-variable analysis; Aho, Lam, Sethi, Ullman,
 // 9.2.5).

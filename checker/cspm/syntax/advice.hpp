@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Suggestions for errors in a script, selected by what was expected and what was found (parser.hpp).
 #pragma once
 

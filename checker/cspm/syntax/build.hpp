@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Small free functions that build CSPM syntax trees, for producers such as csp_emit. They add no parentheses and no
 // spans: the printer adds parentheses where the language needs them. n-ary operators fold to the left, like the
 // reader's tree for `P [] Q [] R`.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts are hashed in the order in which syntax.cpp compares them, without comments, spans and parentheses.
 #include "checker/cspm/syntax/fingerprint.hpp"
 

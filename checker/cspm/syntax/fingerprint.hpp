@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The content of a syntax tree as a number: trees that compare equal (syntax.hpp) have equal fingerprints. This finds
 // equal trees among many without printing them or comparing every pair.
 #pragma once

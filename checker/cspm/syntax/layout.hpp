@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text with places where a line may end, and the selection of those that do: a group breaks at all its places if it
 // does not fit (Oppen 1980, with consistent breaking).
 #pragma once

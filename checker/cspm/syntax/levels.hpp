@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The precedences of CSPM's operators, lowest first: the table of FDR's own grammar (libcspm, Parser.ppy). Shared by
 // the reader and the printer.
 #pragma once

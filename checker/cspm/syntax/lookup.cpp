@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Looks up qualified names in the syntax tree of a script: modules by name, instances by their module.
 #include "checker/cspm/syntax/lookup.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds declarations in the text of a script, for tools that read scripts without evaluating them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Calls of observed functions: the arguments and results that were actually evaluated while processes were explored.
 #pragma once
 

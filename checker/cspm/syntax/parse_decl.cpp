@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Declarations, assertions, and the kinds of declarations that each list allows.
 #include <algorithm>
 #include <array>

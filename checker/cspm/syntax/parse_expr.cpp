@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expressions: operands, then operators by precedence climbing (levels.hpp).
 #include <algorithm>
 #include <array>

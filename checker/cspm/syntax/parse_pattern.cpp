@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Patterns. FDR parses them as expressions and converts them, so they have the expressions' precedences: @@ is lower
 // than `.`, which is lower than ^.
 #include <algorithm>

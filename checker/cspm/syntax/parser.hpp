@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recursive-descent parser for CSPM; operators by precedence climbing. The precedence table is that of FDR's own
 // grammar (libcspm, Parser.ppy), lowest first; see parse_expr.cpp.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints trees as text that FDR accepts. Operands of value operators get the parentheses that their precedence requires
 // (levels.hpp); operands of process operators get them unless they are self-contained. Lines end only where FDR's lexer
 // ignores line ends (lexer.cpp).

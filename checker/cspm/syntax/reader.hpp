@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts CSPM text to syntax trees and back.
 #pragma once
 

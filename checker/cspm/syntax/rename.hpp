@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Renames names in syntax trees, and finds the names that patterns bind. A name is renamed wherever it occurs,
 // independently of its meaning there, so the caller must choose names that have at most one meaning in the tree.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "checker/cspm/syntax/rules.hpp"
 
 #include <array>

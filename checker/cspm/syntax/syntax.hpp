@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The syntax tree of machine-readable CSP (CSPM) as FDR4 reads it (FDR manual, chapter CSPM). Two producers build it:
 // the reader (from text) and csp_emit (from RoboChart). One printer writes it, and one evaluator runs it. Trees compare
 // structurally, ignoring spans and comments: parsing the output of the printer gives an equal tree. Nodes are immutable

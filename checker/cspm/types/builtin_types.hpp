@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The types of CSPM's built-in names, written in FDR's notation (FDR manual, "Built-in definitions").
 #pragma once
 

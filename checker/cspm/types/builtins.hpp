@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CSPM's predefined names (FDR manual, chapter CSPM, Built-In Definitions).
 #pragma once
 

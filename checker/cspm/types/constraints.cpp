@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides which types satisfy which constraint (FDR manual, "Type system", type constraints), and instantiates schemes.
 #include <algorithm>
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs a function on a separate stack, large enough for deep recursion in scripts. Calls may be nested; only the
 // outermost one changes stacks. Exceptions are passed on.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dotted values: applies heads to their arguments, and makes two lists of parts equal. A list [A => B, A, C] is
 // equivalent to [B, C]. FDR's longest and shortest match rules determine which parts a head takes.
 #include <utility>

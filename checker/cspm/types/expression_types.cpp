@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Types of expressions and patterns (FDR manual, chapter CSPM: functional syntax, defining processes).
 #include <fmt/format.h>
 #include <fmt/ranges.h>

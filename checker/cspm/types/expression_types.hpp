@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Types of expressions and patterns, and the places of findings about them.
 #pragma once
 

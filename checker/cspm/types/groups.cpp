@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Strongly connected components by Boost.Graph: Tarjan's algorithm (1972), without recursion, since scripts may chain
 // any number of declarations. It numbers components when they are finished: after those that they use.
 #include "checker/cspm/types/groups.hpp"

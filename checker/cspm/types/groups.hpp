@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sorts the declarations of a list by dependency.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Type inference over a resolved script: Hindley-Milner, one strongly connected group of declarations after the other.
 // At the top level and in modules every name is generalised, in a let only names with an annotation (as in FDR).
 #pragma once

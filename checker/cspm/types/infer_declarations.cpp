@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Groups of declarations are checked together, then generalised. An ill-typed group gives one finding, and its names
 // then have any type, so that no further findings follow from it.
 #include <algorithm>

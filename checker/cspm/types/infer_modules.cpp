@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Modules with parameters, and instances. An instance has the module's types, in which the arguments' types replace
 // those of the parameters, and the instance's own datatypes replace the module's.
 #include <algorithm>

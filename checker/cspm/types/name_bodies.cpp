@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names in expressions, patterns and annotations.
 #include <algorithm>
 #include <utility>

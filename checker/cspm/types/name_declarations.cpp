@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Declarations in phases, so that a list may have any order: modules first, then channels and constructors (they
 // determine the meaning of names in patterns), then all other names, then the right-hand sides.
 #include <algorithm>

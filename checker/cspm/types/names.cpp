@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Looks up names, and reports unknown ones.
 #include "checker/cspm/types/names.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scopes: finds the declaration of each name in a script. Declarations of a list see each other; modules without
 // parameters are flattened into their list; an instance has its own copy of each name of its module.
 #pragma once

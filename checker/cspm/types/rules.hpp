@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Findings of the type checker for CSPM, as a table.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A script with resolved names, the input of type inference: every name points to its symbol, and every list of
 // declarations contains its dependencies. Built by names.hpp, used by infer.hpp.
 #pragma once

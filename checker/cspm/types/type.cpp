@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The arena of types: creating, reading and binding them. Levels follow Rémy's scheme: a variable belongs to the
 // innermost open group of declarations that may still determine it.
 #include "checker/cspm/types/type.hpp"

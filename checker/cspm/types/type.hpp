@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Types during inference: nodes of an arena, variables bound by links, undone by a trail. Dotted types follow the FDR
 // manual: `a => b` (dotable) becomes b when dotted with an a; `a =>* b` (extendable) becomes b after some unknown
 // arguments, which are stored in the variable on its left.

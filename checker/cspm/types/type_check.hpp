@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The static types of CSPM scripts by FDR's rules (FDR manual, chapter CSPM, "Type system"): Hindley-Milner with
 // constraints, dotted types that channels and constructors extend to, and modules. Evaluating a well-typed script
 // causes no dynamic type errors.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Types as text, in the notation of FDR's manual: {Int}, <Int>, (Int, Bool), (Int) -> Proc, Int => Event, a =>* Event.
 #include <algorithm>
 

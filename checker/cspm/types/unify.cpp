@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Unification: plain types, variables, and equalities of dotted types (FDR manual, "Type system": dotable and
 // extendable types; the rules were derived from tomgr/libcspm, which is FDR's own type checker).
 #include "checker/cspm/types/unify.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Unification of types. The rules of dotted types are FDR's: a dotted value takes as many arguments as its head can
 // take ("longest match") if a value is expected, and as few as possible if something extendable is.
 #pragma once

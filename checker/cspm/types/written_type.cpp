@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Precedences as in FDR's grammar (libcspm, Parser.ppy): `.` is highest; `=>`, `=>*` and `->` are right-associative.
 #include "checker/cspm/types/written_type.hpp"
 

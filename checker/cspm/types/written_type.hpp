@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses types in annotations, which the reader stores as text.
 #pragma once
 

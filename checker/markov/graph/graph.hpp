@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The graph of a model: its reverse edges, and its strongly connected components.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides without numbers which states reach a set with probability 0 or 1, and CTL over the graph. Baier and Katoen,
 // Principles of Model Checking, 10.1 and 10.6; Forejt et al., Automated Verification Techniques for Probabilistic
 // Systems, 2011, figures 3 to 6.

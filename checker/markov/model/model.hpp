@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sparse Markov chains and Markov decision processes, as data. Independent of the language of models.
 #pragma once
 

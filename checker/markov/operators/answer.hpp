@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts results of the operators over intervals to enclosures.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Probabilities and rewards for a number of steps. Each step is one sweep, so the enclosures are as narrow as rounding
 // allows.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Operators for a number of steps: one sweep over the states for each step.
 #include "checker/markov/operators/operators.hpp"
 #include "checker/markov/solve/arithmetic.hpp"

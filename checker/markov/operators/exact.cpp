@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "checker/markov/operators/exact.hpp"
 
 #include "checker/markov/operators/operators.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The operators of unbounded.hpp, bounded.hpp and long_run.hpp with rational numbers, for small models that contain
 // Model::exact, Rewards::exact_state and exact_choice. Time and memory grow with the digits of the numbers; the budget,
 // which may be null, limits them.

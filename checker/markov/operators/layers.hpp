@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A model whose step bounds count only some choices, unfolded with the count as a part of its states: each state occurs
 // once for every count up to a bound. Properties with a bound then become properties without one.
 #pragma once

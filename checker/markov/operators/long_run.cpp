@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "checker/markov/operators/long_run.hpp"
 
 #include "checker/markov/operators/answer.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Averages over an infinite run of a dtmc, from every state. Both throw Unsupported for an mdp.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Averages over infinite runs of a dtmc. In a bottom component the average is the expected reward between two visits of
 // a state divided by the expected number of steps between them. Equations give the probabilities to reach each
 // component.

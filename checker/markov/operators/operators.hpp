@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The operators for any arithmetic. unbounded.hpp, bounded.hpp and long_run.hpp instantiate them for intervals,
 // exact.hpp for rationals.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Markov chains whose probabilities are only known within bounds: properties that all chains within the bounds share.
 // Robust value iteration (Nilim and El Ghaoui, Operations Research 53, 2005; Givan, Leach and Dean, Artificial
 // Intelligence 122, 2000). Nature chooses anew in each step, so a statement about all of its choices holds for every

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Probabilities and rewards without a step bound, for every state, as enclosures that are valid in spite of rounding.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // until, reachability_reward, total_reward: the graph decides where the result is 0, 1 or infinite; equations give the
 // other values.
 #include "checker/markov/graph/qualitative.hpp"

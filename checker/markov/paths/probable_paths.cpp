@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See probable_paths.hpp. A path costs the sum of -log of its probabilities. Dijkstra's algorithm, backwards from the
 // goal, gives every state its cheapest path to the goal. So the cheapest path with a given prefix is the prefix
 // followed by the cheapest path from its last state; every other path with this prefix deviates at some state, which

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The most probable paths to a set of states, in descending order: evidence that a probability exceeds a bound (Han,
 // Katoen and Damman, Counterexample generation in probabilistic model checking, IEEE TSE 35, 2009).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The arithmetic that the operators need: intervals, rationals, and doubles for guesses.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solves the linear equations of a policy by eliminating one unknown after the other.
 //
 // 1 - p(i,i) is computed as the sum of all other probabilities, so nothing is ever subtracted. In floating point each

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers as pairs of doubles that enclose them. Arithmetic rounds outward, and only if the result is not a double.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of states by equations over the whole model, solved component by component, in reverse topological order.
 #pragma once
 

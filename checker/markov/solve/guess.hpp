@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Guesses for a component's values in plain floating point, and their proof.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Intervals whose operations round outward because the processor rounds upward.
 //
 // Why every bound is valid, with and without optimisation:

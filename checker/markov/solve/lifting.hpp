@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solves the linear equations of a policy exactly by lifting.
 //
 // The equations are eliminated once, modulo a prime p. Then each round finds one digit of the solution's expansion in

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The optimal values of one strongly connected component.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bounds for small components that no residual in floating point can prove: for example, if 2^40 steps are expected and
 // choices are equally good.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Howard's policy iteration on one component.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reconstructs fractions from their values modulo a large number.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Integers modulo a prime: a field in which division is exact and numbers do not grow.
 #pragma once
 

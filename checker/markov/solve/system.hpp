@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Equations of one strongly connected component: x(i) = the best, over the choices of i, of constant + sum of p * x(j).
 #pragma once
 

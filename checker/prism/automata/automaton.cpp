@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See automaton.hpp.
 #include "checker/prism/automata/automaton.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Deterministic automata for formulas of LTL. A condition is a disjunction of conjunctions of parts or their negations;
 // a part is a co-safe formula, or G of one. Safe formulas and F of safe ones are negations of parts. Co-safe: Kupferman
 // and Vardi, Model Checking of Safety Properties, 2001. G of a co-safe formula holds if the copies of the formula that

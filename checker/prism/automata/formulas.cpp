@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See formulas.hpp.
 #include "checker/prism/automata/formulas.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Formulas of linear-time temporal logic. Equal formulas have the same number. Negation occurs only at atoms.
 #pragma once
 

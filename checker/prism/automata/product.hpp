@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The product of a model with an automaton that reads its states, and the states in which a scheduler can satisfy a
 // condition.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See residues.hpp.
 #include "checker/prism/automata/residues.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rest of a formula after the first states of a path (its derivatives), as Boolean functions of formulas that must
 // hold from the next state on. The functions are binary decision diagrams, so equal ones have the same number and a
 // formula has finitely many of them.

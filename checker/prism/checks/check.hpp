@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Applies the static rules: converts trees to checked models and properties.
 #pragma once
 

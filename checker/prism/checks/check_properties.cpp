@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Properties. See check.hpp.
 #include <set>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models and properties without static errors, as data: names are declared, types are correct, formulas are expanded,
 // renamed modules are written out, and the composition is a list of synchronisations.
 #pragma once

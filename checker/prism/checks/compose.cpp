@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See compose.hpp.
 #include "checker/prism/checks/compose.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts `system ... endsystem` to a list of synchronisations.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See definitions.hpp.
 #include "checker/prism/checks/definitions.hpp"
 

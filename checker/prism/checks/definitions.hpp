@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sorts formulas and constants that use each other: each comes after those that it uses.
 #pragma once
 

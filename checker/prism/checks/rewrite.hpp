@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Replaces names in trees: formulas by their definitions, names by other names.
 #pragma once
 

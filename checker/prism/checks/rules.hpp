@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Static rules of PRISM models and properties, as a table.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See scope.hpp.
 #include "checker/prism/checks/scope.hpp"
 

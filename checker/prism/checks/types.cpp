@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See types.hpp.
 #include "checker/prism/checks/types.hpp"
 

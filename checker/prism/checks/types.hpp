@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Types of expressions of models and properties.
 #pragma once
 

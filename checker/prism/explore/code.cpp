@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compilation. See code.hpp; evaluate.cpp has the evaluation.
 #include "checker/prism/explore/code.hpp"
 

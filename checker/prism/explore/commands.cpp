@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See commands.hpp.
 #include "checker/prism/explore/commands.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The commands of a model as code, and their effects in a state.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See constants.hpp.
 #include "checker/prism/explore/constants.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of constants, defined by the model or given by the caller.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evaluation. See code.hpp.
 #include <fmt/format.h>
 

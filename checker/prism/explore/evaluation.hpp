@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors of the evaluation of expressions, and values of constants.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See explorer.hpp.
 #include "checker/prism/explore/explorer.hpp"
 

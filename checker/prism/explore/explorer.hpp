@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Breadth-first exploration: fills a state space. See "Semantics" in docs/probability.md.
 #pragma once
 

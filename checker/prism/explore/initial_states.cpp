@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See list_initial_states in instance.hpp.
 #include <fmt/format.h>
 

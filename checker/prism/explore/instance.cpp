@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See instance.hpp.
 #include "checker/prism/explore/instance.hpp"
 

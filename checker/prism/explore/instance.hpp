@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A model with values for its constants: the packing of its states, and code over them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See layout.hpp.
 #include "checker/prism/explore/layout.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How the values of variables are packed in the words of a state: as many bits as the range needs, not crossing a word
 // boundary.
 #pragma once

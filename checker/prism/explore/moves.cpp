@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See moves.hpp. Combinations are computed again like in the explorer, and compared with its results.
 #include "checker/prism/explore/moves.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Transitions of a state space in terms of the model: the commands and modules that cause them.
 #pragma once
 

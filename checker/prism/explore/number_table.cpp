@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See number_table.hpp.
 #include "checker/prism/explore/number_table.hpp"
 

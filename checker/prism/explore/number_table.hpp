@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The numbers in a model, without duplicates. Results of operations are cached, because a state space adds and
 // multiplies the same few numbers many times.
 #pragma once

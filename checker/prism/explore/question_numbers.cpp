@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See question_numbers.hpp.
 #include "checker/prism/explore/question_numbers.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers in queries: bounds on the steps of paths, the index of a reward structure.
 #pragma once
 

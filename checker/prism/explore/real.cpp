@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See real.hpp.
 #include "checker/prism/explore/real.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Real numbers of models: exact fractions as long as possible, otherwise enclosures. Decimal literals are fractions;
 // logarithms and roots are not.
 #pragma once

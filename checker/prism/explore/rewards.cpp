@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rewards of a structure by state. See state_space.hpp.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors in the evaluation of constants, states and rewards of a PRISM model, as a table.
 #pragma once
 

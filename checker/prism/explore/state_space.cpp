@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See state_space.hpp.
 #include "checker/prism/explore/state_space.hpp"
 

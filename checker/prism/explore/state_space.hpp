@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A model with values for its constants, explored: its states, and the Markov model over them.
 #pragma once
 

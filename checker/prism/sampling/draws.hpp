@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random numbers of one path: SplitMix64 with a separate increment for each path, the way in which its authors split
 // generators (Steele, Lea, Flood: Fast splittable pseudorandom number generators, OOPSLA 2014). So a path depends only
 // on the seed and its number, and not on the thread that computes it.

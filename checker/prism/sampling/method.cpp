@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See method.hpp.
 #include "checker/prism/sampling/method.hpp"
 

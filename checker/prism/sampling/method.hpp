@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The number of paths to sample and the conclusions from them: PRISM's four methods, with its parameters.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See path_formula.hpp.
 #include "checker/prism/sampling/path_formula.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A path formula, decided along one path: state by state, until the states seen determine whether it holds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The reward of a path, item by item of a reward structure.
 #pragma once
 

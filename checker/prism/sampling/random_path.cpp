@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See random_path.hpp.
 #include "checker/prism/sampling/random_path.hpp"
 

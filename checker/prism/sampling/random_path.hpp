@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One random path of a dtmc, stored state by state.
 #pragma once
 

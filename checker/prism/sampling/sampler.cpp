@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See sampler.hpp.
 #include "checker/prism/sampling/sampler.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The samples of a query in order, computed by several threads.
 #pragma once
 

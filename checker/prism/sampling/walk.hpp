@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One random path of a dtmc, state by state, without exploring other states.
 #pragma once
 

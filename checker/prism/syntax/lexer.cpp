@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See lexer.hpp.
 #include "checker/prism/syntax/lexer.hpp"
 

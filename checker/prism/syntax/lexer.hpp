@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts PRISM text to tokens. All words have one token kind; the parser checks whether a word is reserved.
 #pragma once
 

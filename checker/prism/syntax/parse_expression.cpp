@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expressions. See parser.hpp.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tokens, and the items of files. See parser.hpp.
 #include "checker/prism/syntax/parser.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recursive-descent parser for PRISM. Operators from the lowest precedence: U W R, then ? : and => (both
 // right-associative), <=>, |, &, !, = !=, < <= > >=, + -, * /, ^ (right-associative), unary minus.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See printer.hpp. Prints parentheses only where the tree needs them.
 #include "checker/prism/syntax/printer.hpp"
 

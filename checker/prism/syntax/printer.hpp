@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints trees as PRISM text. Parsing the text gives an equal tree.
 #pragma once
 

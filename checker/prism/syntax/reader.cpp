@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See reader.hpp.
 #include "checker/prism/syntax/reader.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Diagnostics of the PRISM reader, as a table.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The language of PRISM as a tree: models and properties share one expression language. Plain data; the parser builds
 // it (reader.hpp), the printer writes it (printer.hpp).
 #pragma once

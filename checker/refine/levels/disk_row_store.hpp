@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A store for more rows than fit into memory (docs/search.md, "Out of core"). All closed levels are in sorted files.
 // Memory contains rows of the open level, which are written as sorted runs when they need too much memory, and a filter
 // over all closed levels. A row that the filter rejects is new. A row that it accepts is almost certainly a duplicate:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Communication between the ranks of a search, each of which owns a part of the rows. All calls are collective: every
 // rank makes the same calls in the same order.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Visits rows with their hashes in batches, so that several look-ups access memory at the same time.
 #pragma once
 

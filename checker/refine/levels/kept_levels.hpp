@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The common part of row stores that use files: the levels of one rank in files, the time and the contents of
 // checkpoints, and continuing a search from a checkpoint written by any number of ranks.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Level-synchronous search by several ranks: the same product of system and monitor as search.hpp, but the hash of a
 // row determines the rank that owns it, and no parents are stored. The ranks expand a level in rounds, exchange the
 // rows found, and agree at the end of each level. Runs are found afterwards by expanding the earlier levels again.

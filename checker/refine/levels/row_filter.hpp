@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A filter of rows: some bits of the hash of each row, in buckets of one cache line. It never rejects a row that was
 // added. The more rows there are, the fewer bits it stores of each, so that it never takes more memory than its limit.
 //

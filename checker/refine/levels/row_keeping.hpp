@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the rows of a search are stored, as data that each of its ranks receives and creates its store from.
 #pragma once
 

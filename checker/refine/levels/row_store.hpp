@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rows that one rank of a level-synchronous search has found, without duplicates, level by level. A row is the
 // monitor's node, if it has nodes, and the words of a state. Implementations store rows in memory or in files, and may
 // continue an earlier run.

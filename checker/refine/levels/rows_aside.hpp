@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows about which a decision is made later, for all at once ("delayed duplicate detection": Stern and Dill, Using
 // magnetic disk instead of main memory in the Murphi verifier, CAV 1998). Each has the level to which it belongs if it
 // is not a duplicate. If there are many, they are sorted runs in a file.

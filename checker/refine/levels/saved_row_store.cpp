@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "checker/refine/levels/saved_row_store.hpp"
 
 #include "checker/storage/sort_rows.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows in memory, with checkpoints in files.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rows that a rank has sent recently, so that it does not send them again: neighbouring rows often have the same
 // successors, and the owner stores every row that it receives. Small enough for the processor's cache. It forgets rows,
 // but never confuses two, since whole rows are compared.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Work that all ranks leave together if one of them cannot do its part.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cycles of taus among the rows of all ranks. Every cycle contains a marked row (SearchRecord::marks). Taus are
 // followed from these. Rows to which no remaining tau leads are removed repeatedly, until no row remains or every
 // remaining row has such a tau: then there is a cycle (OWCTY without its fairness; Cerna and Pelanek, SPIN 2003; Barnat

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All threads publish their data, wait at a barrier, read the others' data, and wait again, so that no thread publishes
 // the next data before all have read. The first thread communicates with other programs between the two barriers.
 #include "checker/refine/levels/thread_exchange.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Threads of a program as ranks, alone or together with those of other programs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "checker/refine/levels/undisturbed_exchange.hpp"
 
 namespace robochart::refine {

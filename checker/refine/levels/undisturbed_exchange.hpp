@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An exchange whose rank is not killed while it waits for others.
 #pragma once
 

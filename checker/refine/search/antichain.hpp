@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs that need not be searched, because a pair with the same state and fewer specification states has been:
 // everything that the larger set allows or forbids, the smaller one allows or forbids too, so every violation of the
 // larger one's runs is one of the smaller one's, and not longer. Laveaux, Groote and Willemse, "Correct and efficient

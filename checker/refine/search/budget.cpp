@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See budget.hpp. Memory is the resident memory of the whole program, because the systems store the states that are
 // searched, not the search.
 #include "checker/refine/search/budget.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The limits of one check, counted and polled while it runs.
 #pragma once
 

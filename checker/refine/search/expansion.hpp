@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Successors of several consecutive pairs, computed before any of them is looked up: so that several look-ups access
 // memory at the same time, and several threads can compute them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A part of a wide level, expanded and entered by several threads, with the same result as with one. Its pairs are
 // divided into blocks. A thread expands pairs of a block, looks up their targets in the shared table while they are in
 // its cache, and gives new states provisional numbers in the order of blocks and rows; among duplicates, the smallest

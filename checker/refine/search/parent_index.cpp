@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Select on a bit vector: a binary search over the counts of blocks, then over one block's words.
 #include "checker/refine/search/parent_index.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The BFS parents of states as a succinct bit vector (rank/select), two bits for each state. States are numbered in the
 // order of discovery and expanded in the same order, so it suffices to store how many states each one found: a one for
 // each state found, a zero after each state expanded. The parent of a state is the number of zeros before its one.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Charges long work inside systems to a check's budget.
 #pragma once
 

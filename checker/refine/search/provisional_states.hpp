@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The new states of one block of a wide level (parallel_level.hpp), in the order of discovery. Their addresses are
 // stable while more are added, so that other threads can compare with them.
 #pragma once

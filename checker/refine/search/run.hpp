@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs of a system as exact states, from which counterexamples are built.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The product search, level by level. If divergence matters, taus that do not lead forward are recorded; the cycle
 // search afterwards begins with them and computes all taus again.
 #include "checker/refine/search/search.hpp"

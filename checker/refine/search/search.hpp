@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Breadth-first search of a system's states paired with the node of a monitor that observes its runs. States are
 // expanded in the order of discovery, so the first finding has a shortest run, the same every time.
 #pragma once

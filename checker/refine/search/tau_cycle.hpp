@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cycles in a graph whose edges are computed on demand: in linear time for graphs of all shapes.
 #pragma once
 

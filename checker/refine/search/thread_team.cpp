@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "checker/refine/search/thread_team.hpp"
 
 #include <chrono>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Threads that repeatedly execute one piece of work together. In between they poll for the next piece for a moment,
 // since waking a thread takes longer, then sleep.
 #pragma once

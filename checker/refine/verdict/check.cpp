@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The checks of check.hpp, each as a search with its monitor; determinism and `has trace` have separate files.
 #include "checker/refine/verdict/check.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks: refinement in traces, failures, failures-divergences; deadlock, divergence, determinism, traces. Roscoe,
 // Understanding Concurrent Systems (2010), chapters 10, 11, 16; FDR manual.
 #pragma once

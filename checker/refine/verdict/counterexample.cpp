@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Describes states for readers, and the offer of the last one.
 #include "checker/refine/verdict/counterexample.hpp"
 

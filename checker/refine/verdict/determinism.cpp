@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Determinism by its definition (UCS 10.5): P is deterministic if it is divergence free [FD only] and there are no
 // trace s and event a such that s^<a> is a trace of P and P can refuse {a} after s. Decided in up to three steps:
 //   * if no visited state has a tau or two transitions with the same event, P is deterministic;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers of 64 bits in sequence; lists are preceded by their length.
 #include "checker/refine/verdict/findings.hpp"
 

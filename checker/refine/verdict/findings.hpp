@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The result of a search, before it is confirmed and reported; as bytes, so that another run can use it.
 #pragma once
 

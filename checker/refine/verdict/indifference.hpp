@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a specification distinguishes events that a symmetry of the implementation exchanges.
 #pragma once
 

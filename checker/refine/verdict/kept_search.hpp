@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Searches by levels that store their rows in files of a folder: as checkpoints, or because they do not fit into memory
 // (docs/search.md, "Checkpoints", "Out of core"). The folder contains
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Searches by levels (levels/level_search.hpp) instead of the ordinary search: with several ranks, or rows in files.
 // Limits::by_levels names the strategy. Its input is data, so that it can be sent to other programs.
 #pragma once

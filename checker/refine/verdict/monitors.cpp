@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The definitions of the models as faults of one run: UCS 10 (T), 11 (F), 12 (FD).
 #include "checker/refine/verdict/monitors.hpp"
 

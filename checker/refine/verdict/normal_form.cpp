@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Normalisation on demand. Everything is numbered in the order of requests by the search, so results are the same every
 // time.
 #include "checker/refine/verdict/normal_form.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The specification, normalised on demand: nodes are tau-closed sets of its states, one for the behaviour after each
 // trace (UCS 10.4.2, "normalisation").
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A complete normal form as data, which ranks receive instead of the specification.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The frame that all checks share: a budget, a clock, and limits reported as an inconclusive verdict.
 #pragma once
 

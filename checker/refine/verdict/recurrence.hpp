@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether something can always happen again: AG EF in computation tree logic (Clarke, Emerson and Sistla, TOPLAS 8,
 // 1986), for an event instead of a condition on states.
 #pragma once

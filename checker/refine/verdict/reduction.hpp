@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Searches of a system with fewer states (docs/search.md, "Confluent taus", "Symmetry"). Their results are converted to
 // shortest runs of the whole system.
 #pragma once

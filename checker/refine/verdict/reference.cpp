@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Breadth-first search for the run: first with exactly its actions and the hidden events of its taus; then with its
 // actions only, which suffices for strongly bisimilar components; then with its trace only, because compressed
 // components may perform other taus.

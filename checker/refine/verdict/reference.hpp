@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds violations of a compiled process again in the terms from which it was compiled: the two engines check each
 // other. A violation that the terms do not have is an internal error and throws std::logic_error.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Definitions implemented naively: sets of whole states, closed under tau, event by event.
 #include "checker/refine/verdict/replay.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counterexamples are reported only after a replay: the run is repeated step by step, and the violation is checked
 // against a plain powerset of the specification along its trace. Slow, close to the definitions, and independent of the
 // search, whose data are not used. A mismatch is an internal error and throws std::logic_error.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `has trace`: searches along one trace. They use the reduced form if it is given, like the equivalent refinement: `not
 // P :[has trace [T]]: t` is a refinement of P by all traces except t.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts runs of a system's reduced forms to runs of the system: with the confluent taus that were followed, and with
 // every replica in its own place again (docs/search.md, "Confluent taus", "Symmetry").
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The result of an assertion, and the run that violates it.
 #pragma once
 

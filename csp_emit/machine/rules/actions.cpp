@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The effects of the first items of threads, without an event or with one.
 #include "csp_emit/machine/rules/actions.hpp"
 

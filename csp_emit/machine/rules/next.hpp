@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The results of rules: the next configurations, and the events that lead to them. Only processes.hpp converts them to
 // processes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a called operation runs, and with which values.
 #include "csp_emit/machine/rules/operations.hpp"
 

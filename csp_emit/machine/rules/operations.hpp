@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Calls (semantics 3.8). If the operation is not defined in the context, a call is one event `opCall.args`. If it is
 // defined, the operation's machine runs and then returns to its caller. Its code is written once for all calls
 // (call_sharing.hpp), or inlined if it is called concurrently with something else; its parameters and variables are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Determines when others may write, and the configuration after a write.
 #include "csp_emit/machine/rules/shared_variables.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The machine's side of shared variables (semantics 3.7). A machine keeps its own copy of every required variable.
 // Others may write the copy at any moment by set_EXT_x, except while a platform operation is being called, while a
 // single event is under a deadline, or after a precondition has failed: RoboTool's processes for these (`opCall ->

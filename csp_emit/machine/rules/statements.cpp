@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Properties that the rules for statements, time and shared variables all need.
 #include "csp_emit/machine/rules/statements.hpp"
 

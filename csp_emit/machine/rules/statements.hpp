@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Properties of a statement in the thread that will execute it (semantics 3.5): what it reads, whether it is visible,
 // which preconditions it has.
 #pragma once

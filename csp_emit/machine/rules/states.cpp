@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Entering nodes.
 #include "csp_emit/machine/rules/states.hpp"
 

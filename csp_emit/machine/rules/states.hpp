@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // States (semantics 3.3): entering runs the entry action, then the inner initial node, then `entered`, innermost
 // first; `entered` starts the during action and makes the state interruptible.
 #pragma once

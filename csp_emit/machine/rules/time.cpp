@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Determines what is urgent, and what a tock changes.
 #include "csp_emit/machine/rules/time.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Time (semantics 3.10): one tock is one unit. A configuration lets time pass unless something in it is urgent: a
 // hidden step, a call of a platform operation, an expired deadline. Clocks saturate one above the largest value that
 // they are compared with (clock_limits.hpp); waits and deadlines count down.

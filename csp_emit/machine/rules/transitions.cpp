@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Determines which transitions can fire, and the programs that they run.
 #include "csp_emit/machine/rules/transitions.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Transitions (semantics 3.4): all enabled ones of the active node and of its active ancestors are in one external
 // choice; then trigger, store, clock resets, exits innermost first, action, entry, in this order.
 #pragma once

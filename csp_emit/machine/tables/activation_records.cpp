@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Opens frames: what an operation requires is shared with its caller, everything else gets new cells.
 #include "csp_emit/machine/tables/activation_records.hpp"
 

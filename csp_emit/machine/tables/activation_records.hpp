@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Machines and called operations: the parameters that hold the variables, clocks and counters of each. An operation
 // works on its caller's variables, clocks and events of the same name (semantics 3.8).
 #pragma once

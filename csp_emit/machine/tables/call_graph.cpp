@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reachability and cycles in the call graph.
 #include "csp_emit/machine/tables/call_graph.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The machine and the operations that it calls, directly or indirectly, if they are defined in its context.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stack of calls as a parameter, and the functions that it selects.
 #include "csp_emit/machine/tables/call_sharing.hpp"
 

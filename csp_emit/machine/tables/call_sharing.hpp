@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One definition of an operation for all its calls (semantics 3.8). While an operation called by the control thread
 // runs, its caller only waits. So the configuration contains only the operation, and one parameter holds the return
 // addresses, a sequence of numbers with the innermost call first: a stack. An operation that is called concurrently

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One parameter for the watched clock, one event for each guard that reads it.
 #include "csp_emit/machine/tables/clock_initialisation.hpp"
 

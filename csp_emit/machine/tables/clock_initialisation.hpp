@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a clock is initialised (RoboTool does not check this). A clock starts with its machine, but a guard that
 // reads it before any reset reads a time that the model has not set. One more parameter of the machine records whether
 // the clock has been reset, and an event marks each read before that.

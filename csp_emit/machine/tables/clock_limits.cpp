@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Combines the values that guards compare with a clock to one limit.
 #include "csp_emit/machine/tables/clock_limits.hpp"
 

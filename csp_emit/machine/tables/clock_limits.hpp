@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where clocks saturate (semantics 3.10): one above the largest value that any guard compares them with.
 #pragma once
 

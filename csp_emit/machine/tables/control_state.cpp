@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Traversal and reconstruction of configurations.
 #include "csp_emit/machine/tables/control_state.hpp"
 

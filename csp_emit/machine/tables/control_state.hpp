@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The control state of a machine, without its data: which nodes are active, what the control thread and the during
 // threads still have to execute, which operations are being called. The data are in parameters (cells). Each reachable
 // configuration becomes one CSPM function.

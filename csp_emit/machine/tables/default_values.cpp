@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Small default values are written in place, large ones get a name.
 #include "csp_emit/machine/tables/default_values.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The initial values of variables that have none in the model (semantics 3.6).
 #pragma once
 

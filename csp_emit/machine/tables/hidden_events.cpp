@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hidden events, named in order of use.
 #include "csp_emit/machine/tables/hidden_events.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The hidden events of a machine: its steps, and its transitions without a trigger.
 #pragma once
 

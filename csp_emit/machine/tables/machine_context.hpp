@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A machine in its context: the input of its emission.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cells by number, by name, and by the statement or trigger that needs them.
 #include "csp_emit/machine/tables/parameters.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parameters of a machine's functions: the data that its process passes from one configuration to the next.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Maps the keys of configurations to points; a point is named after what happens in it.
 #include "csp_emit/machine/tables/point_table.hpp"
 

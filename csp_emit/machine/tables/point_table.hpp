@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The points of a machine: the reachable configurations, each of which becomes one function.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Asks robochart-verify about one assertion. Knows nothing of VS Code, so that plain Node tests it.
 "use strict";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page around a diagram, and which element is at a place. Knows nothing of VS Code, so that plain Node tests it.
 "use strict";
 

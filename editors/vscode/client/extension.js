@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The extension's door for VS Code: starts `robochart-verify lsp` over stdio and stops it again.
 "use strict";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The lenses above assertions: "check", and the verdict once there is one, with "steps" where it fails. A verdict is
 // about the texts as they were, so any change of a text takes it away.
 "use strict";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The diagram beside the text: a page that follows the cursor of the models' editors. The server draws it.
 "use strict";
 

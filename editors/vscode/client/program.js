@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where robochart-verify is, and what to say when it is nowhere. Knows nothing of VS Code, so that plain Node tests it.
 "use strict";
 

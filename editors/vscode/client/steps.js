@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counterexamples in the texts: what fails as a problem at its assertion, whose related places are the steps of the run,
 // and the steps as a list that leads through the texts.
 "use strict";

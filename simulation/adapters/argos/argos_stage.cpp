@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The adapter for ARGoS; see argos_stage.hpp. ARGoS executes a step in our order (act, physics, media, sense, control).
 // Its controllers are empty: the trial reads their sensors and sets their wheels between two steps.
 #include "simulation/adapters/argos/argos_stage.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Robots in ARGoS, the simulator of the founding paper's second case study (Li et al. 2017, section 3.2). ARGoS has the
 // MIT licence.
 #pragma once

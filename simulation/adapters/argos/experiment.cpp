@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes a scenario as the text of an ARGoS experiment. ARGoS uses metres and degrees.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The adapter for Enki; see enki_stage.hpp. The robots are stored in one array. Enki iterates over them in the order of
 // their addresses, so it draws its random numbers in the same order in every run.
 #include "simulation/adapters/enki/enki_stage.hpp"

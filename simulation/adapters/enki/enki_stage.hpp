@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Robots in Enki, the simulator of the founding paper's first case study (Li et al. 2017, section 3.1). Enki has the
 // licence GPL-2+.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page of the preview: shows the picture that it is sent, and says which element was clicked on.
 "use strict";
 

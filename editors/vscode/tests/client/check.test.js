@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The lens above an assertion: what is run, what is shown, and for how long.
 "use strict";
 

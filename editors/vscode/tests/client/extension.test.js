@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the extension does with the server: start, restart, stop, and what it says when it cannot.
 "use strict";
 

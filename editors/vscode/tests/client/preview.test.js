@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The preview: what it asks the server, what it sends to its page, and what a click on the page does.
 "use strict";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which program the setting robochart.server.path means.
 "use strict";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts of VS Code's interface that the extension uses, as stand-ins that write down what was asked of them.
 "use strict";
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every word that a grammar spells out is coloured where it stands alone: no rule hides another.
 "use strict";
 
