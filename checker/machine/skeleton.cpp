@@ -15,7 +15,7 @@ using process::Term;
 constexpr int deepest = 300;              // maximal nesting of operators; deeper ones belong to one component
 constexpr int deepest_look = 100;         // maximal nesting in the search for a parallel operator
 constexpr int deepest_prefix = 3;         // maximal number of events before a parallel operator
-constexpr std::size_t most_branches = 8;  // of a prefix that is taken apart
+constexpr std::size_t most_branches = 8;  // maximal number of branches of a prefix that is taken apart
 constexpr std::size_t most_nodes = 200'000;
 constexpr std::size_t most_prefixes = 500;  // total number of prefixes that are taken apart
 constexpr std::size_t longest_chain = 60;   // maximal nesting of prefixes that are taken apart

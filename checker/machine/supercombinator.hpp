@@ -84,7 +84,7 @@ struct SlotRange {
 /// A compiled process as data.
 struct Supercombinator {
     std::vector<ComponentPtr> components;  ///< by slot
-    std::vector<SlotRange> operands;       ///< of all operators, without duplicates, large ones first
+    std::vector<SlotRange> operands;       ///< ranges of all operators, without duplicates, large ones first
     std::vector<Region> regions;           ///< inner ones first; the last is the whole process
     std::vector<Local> initial;            ///< by slot
     std::vector<Field> fields;             ///< by slot

@@ -34,7 +34,7 @@ struct Behaviour {
     /// it; for a step that the compression does not show, the step before which (at the end: after which) it happens.
     std::vector<std::size_t> shown_by;
 
-    /// The events in which the part took part; taus only with `with_taus`.
+    /// The events in which the part participated; taus only with `with_taus`.
     [[nodiscard]] std::vector<Event> events(bool with_taus) const;
 };
 

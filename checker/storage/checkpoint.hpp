@@ -40,7 +40,8 @@ struct Checkpoint {
     std::uint32_t levels = 0;            ///< number of closed levels
     std::vector<SavedFile> files;        ///< files with the rows of the levels, in the order of levels
     SavedFile marks;                     ///< rows of level 0
-    SavedFile unsure;                    ///< rows followed by their levels, which may be duplicates of earlier levels
+    SavedFile unsure;                    ///< rows followed by their levels; they may be duplicates of rows in earlier
+                                         ///< levels
     std::vector<SavedFigures> expanded;  ///< by level
 };
 

@@ -253,7 +253,7 @@ private:
     std::vector<Find> finds_;
     std::unordered_set<std::string> images_;  ///< never iterated
     std::unordered_set<Node> nodes_;          ///< never iterated
-    std::vector<Readings> way_;               ///< to the position of the difference
+    std::vector<Readings> way_;               ///< path to the position of the difference
     std::uint64_t walks_ = 0;
     std::uint64_t cycles_ = 0;
 };

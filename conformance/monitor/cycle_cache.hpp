@@ -45,7 +45,7 @@ private:
         std::uint32_t count = 0;                ///< number of arguments
         std::uint16_t alone = Monitor::dead;    ///< the column if there are no arguments
         std::vector<std::uint32_t> carriers{};  ///< by argument
-        std::uint32_t carrier = 0;              ///< of the first argument
+        std::uint32_t carrier = 0;              ///< index of the first argument's carrier
     };
     /// The state in which a cycle begins, and its readings.
     struct Key {

@@ -60,7 +60,8 @@ public:
 
     std::vector<Words> inputs;                             ///< by symbol
     std::vector<std::vector<std::vector<Branch>>> states;  ///< [state][symbol]; 0 is the initial state
-    std::size_t extra = 0;                                 ///< number of states beyond those found for which is tested
+    std::size_t extra = 0;                                 ///< number of further states that the implementation may
+                                                           ///< have
 
 private:
     static Words rest(std::istream& words) {

@@ -388,7 +388,7 @@ public:
         --budget_;
         return true;
     }
-    /// Decreases the remaining time of a deadline (plus one; 0 if none runs).
+    /// Decreases the remaining time of a deadline, which is stored plus one (0 if no deadline runs).
     constexpr void advance_deadline(std::uint32_t& left, std::uint32_t units) noexcept {
         if (left == 0) return;
         late_ = late_ || left <= units;

@@ -40,8 +40,7 @@ struct Draw {
     std::string junction;   ///< the junction, qualified by its operation if it is in one: "Turn_p0"
     ir::MachineId machine;  ///< the machine that owns the transition
     ir::TransitionId transition;
-    std::vector<std::string> variables;  ///< of that machine, by VariableId: the parameter of definitions that holds
-                                         ///< each
+    std::vector<std::string> variables;  ///< by VariableId: the parameter that holds each variable of that machine
 };
 /// The meaning of an event of the script in the model.
 struct EventMeaning {

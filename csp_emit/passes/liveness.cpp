@@ -59,7 +59,7 @@ private:
     std::vector<ExprPtr> read_;  ///< a tree for each candidate's name, shared because most arguments of most calls are
                                  ///< such names
     FamilyIndex index_;
-    std::unordered_map<std::string, std::size_t> number_;  ///< of each candidate; looked up only
+    std::unordered_map<std::string, std::size_t> number_;  ///< index of each candidate; never iterated
     std::vector<Names> used_;                              ///< by function; last: the initial process
     std::vector<Call> calls_;
     std::map<const Expr*, std::size_t> call_of_;
@@ -123,7 +123,7 @@ std::vector<std::size_t> Family::behind(const Expr& value) const {
 }
 
 void Family::survey_call(std::size_t caller, const Expr& expr, const SparseCall& sparse) {
-    if (call_of_.count(&expr) != 0) return;  // one tree occurs in several places of the same body
+    if (call_of_.count(&expr) != 0) return;  // visited already: a tree may occur in several places of a body
     Call call{caller, index_.at(sparse.function), {}, sparse.after_tock, {}};
     for (const auto& [name, value] : sparse.changed) {
         const auto found = number_.find(name);

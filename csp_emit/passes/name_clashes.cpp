@@ -87,8 +87,8 @@ private:
 
     const NamesForBlocks& of_model_;
     NameManager& names_;
-    std::vector<UserNames> own_;             ///< of each file, except its instantiations
-    std::set<std::string> given_, modules_;  ///< of the instantiations
+    std::vector<UserNames> own_;             ///< names declared in each file, except in its instantiations
+    std::set<std::string> given_, modules_;  ///< names declared in the instantiations
     std::set<std::string> values_;           ///< values of the generated modules that are also a block's channels or
                                              ///< constructors
     std::map<std::string, int> files_that_declare_;

@@ -670,8 +670,9 @@ private:
     std::map<std::string, SwarmMotion> driven_;      // by channel
     std::size_t feeds_ = 0;
     std::vector<std::string> own_;                              // channels between one robot and its world
-    std::vector<std::string> settled_;                          // those of them that report that no turn is in progress
-    std::vector<std::string> lazy_;                             // those of them that the environment decides
+    std::vector<std::string> settled_;                          // channels of own_ that report that no turn is in
+                                                                // progress
+    std::vector<std::string> lazy_;                             // channels of own_ that the environment decides
     std::vector<Sensed> sensed_;                                // on a grid: they carry the set of robots in range
     std::vector<std::pair<std::string, std::string>> answers_;  // requesting operation, answering event
     std::vector<Sensed> messages_;

@@ -38,7 +38,7 @@ private:
     std::vector<std::int32_t> values_;
     std::vector<std::vector<lts::Word>> partial_;  ///< packed successor after the given number of parts
     std::vector<std::uint32_t> chosen_;            ///< the chosen command of each part
-    Distribution all_;                             ///< of the single choice in a dtmc
+    Distribution all_;                             ///< the single choice of a dtmc
     std::vector<NumberTable::Id> counts_;          ///< the numbers 0, 1, 2, ...
     std::uint64_t combinations_ = 0;               ///< in this state
     LeftOut left_out_;

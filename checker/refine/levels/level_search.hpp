@@ -126,8 +126,8 @@ private:
     std::vector<lts::Word> block_;    // rows read from the store
     std::vector<std::uint32_t> own_;  // those of the expansion's rows that belong to this rank
     bool taus_alone_ = false;
-    LevelFigures figures_;  // of the level that is being expanded
-    LevelFigures before_;   // of the levels before it
+    LevelFigures figures_;  // statistics of the level that is being expanded
+    LevelFigures before_;   // statistics of the levels before it
     std::optional<Fault> fault_, forbidden_;
     Agreed agreed_;
     std::uint64_t states_ = 0, transitions_ = 0, chased_ = 0, depth_ = 0;

@@ -24,7 +24,7 @@ struct Progress {
     std::uint64_t transitions = 0;
     std::uint64_t frontier = 0;  ///< searching: number of states that wait to be expanded
     std::uint64_t depth = 0;
-    std::uint64_t resident_bytes = 0;  ///< of the whole program
+    std::uint64_t resident_bytes = 0;  ///< resident memory of the whole program
     std::uint64_t grown_bytes = 0;     ///< increase of resident memory since the phase began
     double seconds = 0;                ///< since the phase began
 };

@@ -49,7 +49,7 @@ public:
         std::uint64_t transitions = 0;
         std::uint64_t chased = 0;
         ParentIndex found;                          ///< empty if pairs are only examined
-        std::vector<lts::StateIndex> back_targets;  ///< of taus
+        std::vector<lts::StateIndex> back_targets;  ///< targets of taus that do not lead forward
     };
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] const Block& operator[](std::size_t number) const { return parts_[number]; }

@@ -39,9 +39,9 @@ public:
     ~Search();
 
     /// The first violation by length of run; among runs of the same length, a state's fault comes before a forbidden
-    /// event. No value if all pairs have been visited. Throws LimitReached. For pairs that are first reached by runs of
-    /// `events_until` steps or more, only taus are followed. This suffices for the first pair on a cycle of taus, if it
-    /// is known to be reached by this many steps.
+    /// event. No value if all pairs have been visited. Throws LimitReached. For pairs whose shortest runs have
+    /// `events_until` steps or more, only taus are followed. This suffices to find the first pair on a cycle of taus,
+    /// if that pair is known to be reached by `events_until` steps.
     std::optional<Finding> first_violation(std::uint64_t events_until = std::numeric_limits<std::uint64_t>::max());
     /// After a search without violation that noted taus: the first pair on a tau cycle.
     std::optional<lts::StateIndex> first_tau_cycle();

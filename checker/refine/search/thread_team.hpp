@@ -34,7 +34,7 @@ private:
     std::atomic<unsigned> busy_ = 0;
     std::atomic<bool> over_ = false;
     std::mutex mutex_;
-    std::exception_ptr error_;  ///< of this round; guarded by mutex_
+    std::exception_ptr error_;  ///< the first exception of this round; guarded by mutex_
     diagnostics::Threads helpers_;
 };
 

@@ -17,8 +17,8 @@
 namespace {
 
 constexpr double cycle = 0.1;        // seconds of a control cycle
-constexpr unsigned substeps = 10;    // of physics in each cycle
-constexpr double side = 250;         // of the arena, cm
+constexpr unsigned substeps = 10;    // steps of physics in each cycle
+constexpr double side = 250;         // side of the arena, cm
 
 int counter = 0;
 

@@ -17,9 +17,9 @@ namespace robochart::csp_emit {
 
 /// The return point of a shared operation's call.
 struct Continuation {
-    std::uint32_t frame = 0;  ///< of the operation
+    std::uint32_t frame = 0;  ///< frame of the operation
     Activation config;        ///< the configuration after the return
-    std::string name;         ///< of its function
+    std::string name;         ///< name of its function
 };
 
 /// Owns the continuations of shared calls and the values of the stack. Whether a value needs a number is known only
@@ -67,7 +67,7 @@ private:
     ParameterTable& cells_;
     PointTable& points_;
     FamilyCalls& calls_;
-    std::optional<CellId> return_stack_;        ///< of the active calls
+    std::optional<CellId> return_stack_;        ///< the stack of active calls
     std::map<std::uint32_t, Returns> returns_;  ///< by frame
     std::vector<Continuation> continuations_;
     std::vector<Pending> pending_;

@@ -14,7 +14,7 @@ namespace robochart::csp_emit {
 
 struct Point {
     Activation config;
-    std::string name;      ///< of the function
+    std::string name;      ///< name of the function
     bool returns = false;  ///< the end of an operation that several calls share
 };
 

@@ -34,7 +34,7 @@ def generate_launch_description():
             condition=autostart,
         )
 
-    # Activated once it is configured; not after it has been deactivated.
+    # Activated when it has been configured, but not after it has been deactivated.
     activate = RegisterEventHandler(
         OnStateTransition(
             target_lifecycle_node=node,
