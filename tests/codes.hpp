@@ -8,7 +8,8 @@
 
 namespace robochart::tests {
 
-/// Of all findings by place but advice (RC-W): models of tests are small, and seldom use all they declare.
+/// The codes of all findings by place, except advice (RC-W): models of tests are small and seldom use all their
+/// declarations.
 inline std::vector<std::string> codes_but_advice(const diagnostics::Diagnostics& findings) {
     std::vector<std::string> result;
     for (const auto& finding : findings.sorted())

@@ -1,4 +1,4 @@
-// Files that tests read whole.
+// Reads whole files for tests.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// A disk that is full: files of the program grow no further.
+// Simulates a full disk: the program's files cannot grow.
 #pragma once
 
 #include <sys/resource.h>
@@ -7,7 +7,7 @@
 
 namespace robochart::tests {
 
-/// While it lives, no file grows over so many bytes: writing fails, and no signal is sent.
+/// During its lifetime no file can grow beyond this number of bytes: writing fails, and no signal is sent.
 class FileLimit {
 public:
     explicit FileLimit(rlim_t bytes) : before_(std::signal(SIGXFSZ, SIG_IGN)) {

@@ -1,5 +1,5 @@
-// What a test needs of the machine: a program or library that scripts/setup.sh installs. Without it the test says so
-// and is skipped; in continuous integration (CI is set) it has failed, for a test that cannot run there shows nothing.
+// Programs and libraries that a test needs and that scripts/setup.sh installs. If one is missing, the test says so and
+// is skipped. In continuous integration (CI is set) it fails, because a skipped test would go unnoticed.
 #pragma once
 
 #include <gtest/gtest.h>

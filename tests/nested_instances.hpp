@@ -1,5 +1,5 @@
-// What FDR's front end accepts and cannot evaluate: it gives the names of an instance inside a parameterised module no
-// place in the instances of that module, so that the first use of such a name ends in "lookup not found".
+// Instances inside parameterised modules, which FDR's front end accepts and cannot evaluate: names of such an instance
+// have no place in the instances of the module, so their first use ends with "lookup not found".
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace robochart::tests {
 
-/// "M::i" for each instance i somewhere inside a module M with parameters.
+/// "M::i" for each instance i anywhere inside a parameterised module M.
 inline std::vector<std::string> nested_instances(const std::vector<cspm::DeclPtr>& decls, const std::string& path = "",
                                                  bool parameterised = false) {
     std::vector<std::string> result;

@@ -1,4 +1,4 @@
-// A program that may have few files open.
+// A low limit on open files for tests.
 #pragma once
 
 #include <sys/resource.h>
@@ -6,7 +6,7 @@
 
 namespace robochart::tests {
 
-/// While it lives, so many more files can be opened than are open now.
+/// During its lifetime the program can open only this number of additional files.
 class OpenFilesLimit {
 public:
     explicit OpenFilesLimit(int more) {
@@ -20,7 +20,7 @@ public:
     ~OpenFilesLimit() { setrlimit(RLIMIT_NOFILE, &usual_); }
 
 private:
-    /// There are no gaps below the next number that is free, but perhaps some behind it: hardly any in a test.
+    /// Assumes that no file is open above the lowest free descriptor, which is almost always true in a test.
     static int last_open() {
         const int next = ::dup(STDERR_FILENO);
         ::close(next);

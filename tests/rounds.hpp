@@ -1,4 +1,4 @@
-// How often random tests try.
+// The number of rounds of random tests.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@ inline constexpr bool sanitized = false;
 inline constexpr bool sanitized = false;
 #endif
 
-/// `usual`, or a sixth of it under AddressSanitizer, where everything takes several times as long: there the tests look
-/// for faults of memory, which any round shows; that results are right is for the other builds to show.
+/// `usual`, or a sixth of it under AddressSanitizer, where each round takes several times as long. There the tests look
+/// for memory errors, which a few rounds show; other builds check the results.
 constexpr std::size_t rounds(std::size_t usual) {
     return sanitized ? (usual + 5) / 6 : usual;
 }

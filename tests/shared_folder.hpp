@@ -1,4 +1,4 @@
-// The read-only material beside the repository, which tests use where it is at hand.
+// Read-only material next to the repository, which tests use if it is present.
 #pragma once
 
 #include <cstdlib>
@@ -8,7 +8,7 @@
 
 namespace robochart::tests {
 
-/// The folder that ROBOCHART_SHARED names, or `shared` beside the repository or beside the folder of its worktrees;
+/// The folder that ROBOCHART_SHARED names, or `shared` next to the repository or next to the folder of its worktrees;
 /// empty if there is none.
 inline std::filesystem::path shared_folder() {
     namespace fs = std::filesystem;

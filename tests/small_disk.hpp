@@ -1,4 +1,4 @@
-// A disk of few bytes in all, which no limit on the size of a file can stand for.
+// A small disk, for tests that a limit on the size of single files cannot replace.
 #pragma once
 
 #include <fcntl.h>
@@ -19,8 +19,8 @@ inline void write_to(const char* path, const std::string& text) {
     ::close(file);
 }
 
-/// What `work` returns (less than 100) in a process of its own, which alone sees a disk of so many KiB at `folder`; 100
-/// where the system allows no such disk, 101 where the process ends in another way.
+/// Returns the result of `work` (less than 100), which runs in its own process with a disk of this size in KiB at
+/// `folder`. Returns 100 if the system allows no such disk, 101 if the process ends in another way.
 inline int on_small_disk(const std::string& folder, unsigned kibibytes, const std::function<int()>& work) {
     const pid_t child = fork();
     if (child == 0) {

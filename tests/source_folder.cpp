@@ -1,5 +1,5 @@
-// The only file that is compiled with the path, so that trees at other places share all other objects of a compiler
-// cache.
+// The only file that is compiled with the path, so that builds in other folders can share all other objects in the
+// compiler cache.
 #include "tests/source_folder.hpp"
 
 namespace robochart::tests {

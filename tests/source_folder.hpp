@@ -1,11 +1,11 @@
-// Where the sources lie that tests read: models, fixtures, pages.
+// The folder of the sources that tests read: models, fixtures, pages.
 #pragma once
 
 #include <filesystem>
 
 namespace robochart::tests {
 
-/// The top of the source tree, absolute.
+/// The root of the source tree, as an absolute path.
 [[nodiscard]] std::filesystem::path source_folder();
 
 }  // namespace robochart::tests

@@ -1,6 +1,6 @@
-// Holds pages to the rules of axe-core: `node accessibility.mjs AXE PAGE...`. AXE: the file axe.min.js of that npm package.
-// Each page is judged in light and in dark colours; violations of level serious or critical are printed, a line each, and
-// so is what the browser has to say. Exit code 1 if there are any.
+// Checks pages with the rules of axe-core: `node accessibility.mjs AXE PAGE...`. AXE is the file axe.min.js of this npm
+// package. Each page is checked in light and in dark colours. The script prints one line for each violation of level
+// serious or critical, and for each message of the browser. Exit code 1 if there are any.
 import { readFileSync } from "node:fs";
 import { basename } from "node:path";
 import { inChromium } from "./chromium.mjs";

@@ -1,5 +1,6 @@
-// A page in headless Chromium, over its debugging pipe (Chrome DevTools Protocol). A browser that does not start, ends or
-// does not answer says nothing about a page: what was being played is then played again from its beginning in a new one.
+// A page in headless Chromium, controlled over its debugging pipe (Chrome DevTools Protocol). If the browser does not
+// start, ends or does not answer, this says nothing about the page: the script is repeated from the start in a new
+// browser.
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -27,7 +28,8 @@ class Browser {
             [
                 "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--remote-debugging-pipe",
                 `--user-data-dir=${this.#profile}`,
-                // Without it keys are dropped, without a word, until the first frame is drawn: on a busy machine that is late.
+                // Without this option the browser silently drops keys before the first frame, which comes late on a
+                // busy machine.
                 "--allow-pre-commit-input",
                 "--disable-background-timer-throttling", "--disable-backgrounding-occluded-windows",
                 "--disable-renderer-backgrounding", "--no-first-run", "--disable-extensions", "--disable-background-networking",
@@ -79,7 +81,7 @@ class Browser {
             process.kill(-this.#process.pid, "SIGKILL");
             await ended;
         }
-        // Its other processes outlive it for a moment, and write into the profile.
+        // Other processes of the browser may live a little longer and write into the profile.
         for (let left = 50; left > 0 && !removed(this.#profile); --left) await new Promise((done) => setTimeout(done, 100));
     }
 }

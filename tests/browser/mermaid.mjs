@@ -1,5 +1,5 @@
-// Has Mermaid's own parser read files: `node mermaid.mjs MERMAID FILE...`. MERMAID: the file mermaid.min.js of that npm
-// package. What it does not accept is printed, a line each, and the exit code is 1.
+// Parses files with Mermaid's own parser: `node mermaid.mjs MERMAID FILE...`. MERMAID is the file mermaid.min.js of
+// this npm package. The script prints one line for each rejected file, and then exits with 1.
 import { readFileSync } from "node:fs";
 import { inChromium } from "./chromium.mjs";
 

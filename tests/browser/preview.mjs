@@ -1,7 +1,8 @@
-// The page of the preview in VS Code, in Chromium, with pictures of the real server: `node preview.mjs PROGRAM MODEL`.
-// What of VS Code the page uses is a stand-in: acquireVsCodeApi, and messages. Checked: zoom and scroll stay over an edit;
-// while the text is broken the last picture stays, and the reader is told; a click on each element leads to the line with
-// its name, and the cursor there to the element; the page loads nothing else. Faults are printed; exit code 1 if there are any.
+// The page of the VS Code preview in Chromium, with pictures from the real server: `node preview.mjs PROGRAM MODEL`.
+// The API of VS Code (acquireVsCodeApi and messages) is simulated. The script checks that zoom and scroll position
+// survive an edit; that the last picture stays while the text is broken, with a message; that a click on an element
+// leads to the line with its name, and the cursor there to the element; and that the page loads nothing else. It prints
+// faults and exits with 1 if there are any.
 import assert from "node:assert";
 import { spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -105,7 +106,7 @@ async function play(tab, server) {
     await tab.open(page, true, parts);
     assert.deepStrictEqual(await tab.evaluated("heard"), [{ type: "ready" }]);
 
-    // Zoom and scroll over an edit, and over text that is broken for a while.
+    // Zoom and scroll position after an edit, and after text that is broken for a while.
     const { index: begin, 1: machine } = /^\s*stm (\w+)/m.exec(original);
     await show(await draw(machine));
     for (let i = 0; i < 6; ++i) await tab.evaluated("void document.getElementById('larger').click()");

@@ -1,7 +1,7 @@
-// Goes through every counterexample of a page by keyboard: `node tour.mjs PAGE JSON`. JSON: what `--format json` has printed
-// of the same run. Each step has to fill exactly the states that are active in its data; the page has to be quiet. Prints the
-// size of the page, how long it took to load (and of that the CPU time of its main thread, in which other programs do not
-// count), and how long a step takes in it. Faults are printed; exit code 1 if there are any.
+// Steps through every counterexample of a page by keyboard: `node tour.mjs PAGE JSON`. JSON is the output of `--format
+// json` for the same run. Each step must highlight exactly the states that are active in its data, and the browser must
+// report no problem. The script prints the size of the page, its loading time (and the CPU time of its main thread,
+// which other programs do not affect), and the time per step. It prints faults and exits with 1 if there are any.
 import assert from "node:assert";
 import { readFileSync, statSync } from "node:fs";
 import { inChromium } from "./chromium.mjs";

@@ -1,4 +1,4 @@
-// The budget of a run: each limit is found, said with the phase at work, and what is held is released.
+// The budget of a run: each limit is detected and reported with the current phase, and resources are released.
 #include "diagnostics/budget.hpp"
 
 #include <gmock/gmock.h>
@@ -58,7 +58,7 @@ TEST(Budget, IsInterruptedFromOutside) {
     EXPECT_FALSE(budget.interrupted());
     budget.interrupt();
     EXPECT_TRUE(budget.interrupted());
-    EXPECT_THROW(budget.poll(), LimitReached);  // at the first call: what is known is not asked for again
+    EXPECT_THROW(budget.poll(), LimitReached);  // at the first call: known results are not polled again
 }
 
 TEST(Budget, NamesTheInnermostPhase) {
@@ -89,7 +89,7 @@ TEST(Budget, CountsTheMemoryOfAProcessAndItsChildren) {
     std::uint64_t bytes = 0;
     for (int i = 0; i < 500 && bytes < (64U << 20U); ++i, usleep(20'000)) bytes = resident_bytes_of_tree(child);
     EXPECT_GE(bytes, 64U << 20U);
-    kill(-child, SIGKILL);  // the child's child too
+    kill(-child, SIGKILL);  // and its child
     waitpid(child, nullptr, 0);
 }
 

@@ -1,4 +1,5 @@
-// Each language reads back what was escaped into it; expected texts are written by hand from the languages' standards.
+// Escaping is inverted by each language's parser; the expected texts were written by hand from the languages'
+// standards.
 #include "diagnostics/escape.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ TEST(Escape, StringsOfCpp) {
     EXPECT_EQ(cpp_string("near"), R"("near")");
     EXPECT_EQ(cpp_string("a\"b\\c"), R"("a\042b\134c")");
     EXPECT_EQ(cpp_string("line\nend\ttab"), R"("line\012end\011tab")");
-    // A digit behind an octal escape of three digits is a character of its own.
+    // A digit after an octal escape of three digits is a separate character.
     EXPECT_EQ(cpp_string("\n7"), R"("\0127")");
     EXPECT_EQ(cpp_string("\?\?/"), R"("\077\077/")");
     EXPECT_EQ(cpp_string(std::string("a\0b", 3)), R"("a\000b")");
@@ -38,7 +39,7 @@ TEST(Escape, CommentsStayOnTheirLine) {
     EXPECT_EQ(comment_text("blank behind \\ "), "blank behind \\x5c ");
     EXPECT_EQ(comment_text("\?\?/"), "?\\x3f/");
     EXPECT_EQ(comment_text("\r\x0b\x0c"), "\\r\\x0b\\x0c");
-    // Line separators and direction marks, with which code can look like a comment.
+    // Line separators and direction marks, which can make code look like a comment.
     EXPECT_EQ(comment_text("\xe2\x80\xa8\xe2\x80\xae"), "\\u2028\\u202e");
     EXPECT_EQ(comment_text("caf\xc3\xa9"), "caf\xc3\xa9");
 }

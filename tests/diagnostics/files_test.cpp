@@ -1,4 +1,4 @@
-// Files that are written: whole or not at all, where they were asked for, and nowhere else.
+// Files are written completely or not at all, at the requested place and nowhere else.
 #include "diagnostics/files.hpp"
 
 #include <gmock/gmock.h>
@@ -31,7 +31,7 @@ protected:
     void TearDown() override { fs::remove_all(folder_); }
     [[nodiscard]] std::string in(const std::string& name) const { return folder_ + "/" + name; }
     void put(const std::string& name, const std::string& text) const { std::ofstream(in(name)) << text; }
-    /// Names in a folder, hidden ones too.
+    /// The number of files in a folder, including hidden ones.
     static std::size_t count(const std::string& path) {
         return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
     }
@@ -60,13 +60,13 @@ TEST_F(Files, DoNotFollowLinksBelowTheirFolder) {
     fs::create_symlink(in("elsewhere"), in("out/sub"));
     EXPECT_THAT(write_below(in("out"), "sub/x", "text"), AllOf(HasSubstr("refusing"), HasSubstr("symbolic link")));
     EXPECT_EQ(count(in("elsewhere")), 0U);
-    // A link in the place of a file is replaced; what it leads to is as it was.
+    // A symbolic link in place of the file is replaced; its target stays unchanged.
     fs::create_symlink(in("precious"), in("out/file"));
     EXPECT_EQ(write_below(in("out"), "file", "text"), "");
     EXPECT_EQ(contents(in("precious")), "mine");
     EXPECT_EQ(contents(in("out/file")), "text");
     EXPECT_FALSE(fs::is_symlink(in("out/file")));
-    // The folder that was asked for may be a link: that is for the user to say.
+    // The requested folder itself may be a symbolic link, because the user chose it.
     fs::create_symlink(in("elsewhere"), in("named"));
     EXPECT_EQ(write_below(in("named"), "x", "text"), "");
     EXPECT_EQ(contents(in("elsewhere/x")), "text");

@@ -1,4 +1,4 @@
-// Choosing and applying fixes.
+// Selection and application of fixes.
 #include "diagnostics/fixes.hpp"
 
 #include <gtest/gtest.h>

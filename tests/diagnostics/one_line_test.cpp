@@ -1,4 +1,4 @@
-// Runs of blanks become one; the ends have none.
+// Runs of blanks become one blank, and leading and trailing blanks are removed.
 #include "diagnostics/text.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Drawing diagnostics: exact text, exact JSON.
+// Output of diagnostics: exact text, exact JSON.
 #include "diagnostics/render.hpp"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ TEST(RenderText, CutsLongLinesAroundTheCaret) {
     out.report(odd_rule, {id, 5'000'000, 5'000'001});
     const std::string text = render_text(sources, out);
     EXPECT_LT(text.size(), 1000U);
-    // The caret stands under the exclamation mark.
+    // The caret is below the exclamation mark.
     const std::size_t excerpt = text.find(" 1 | ") + 5;
     const std::size_t mark = text.find("   | ...", 0);
     EXPECT_EQ(mark, std::string::npos);
@@ -107,12 +107,12 @@ TEST(RenderJson, SaysWhyItIsNotAll) {
         "\n");
 }
 
-// RFC 8259, 7: quotes, backslashes and the characters below U+0020 must be escaped. Unicode 15, 3.9: what is not UTF-8
-// may be replaced.
+// RFC 8259, 7: quotes, backslashes and the characters below U+0020 must be escaped. Unicode 15, 3.9: invalid UTF-8 may
+// be replaced.
 TEST(JsonText, EscapesControlCharactersAndReplacesBrokenBytes) {
     EXPECT_EQ(json_text(Json("\"a\\\t\x01")), R"("\"a\\\t\u0001")");
     EXPECT_EQ(json_text(Json("\xC3\xA9\xC3")), "\"\xC3\xA9\xEF\xBF\xBD\"");
-    const std::string surrogate = json_text(Json("\xED\xA0\x80"));  // no character
+    const std::string surrogate = json_text(Json("\xED\xA0\x80"));  // not a character
     EXPECT_NE(surrogate.find("\xEF\xBF\xBD"), std::string::npos);
     EXPECT_EQ(surrogate.find('\xED'), std::string::npos);
 }
@@ -121,7 +121,7 @@ TEST(Diagnostics, ShowTheBeginningOfLongArguments) {
     static const Rule rule{"T1", Severity::error, "no `{}`", "because"};
     Diagnostics diagnostics;
     EXPECT_EQ(diagnostics.report(rule, {}, {std::string(1000, 'x')}).message(), "no `" + std::string(1000, 'x') + "`");
-    // An e with an acute accent takes two bytes, which stay together.
+    // An e with an acute accent consists of two bytes, which must stay together.
     const std::string letters = std::string(999, 'x') + "\xC3\xA9" + std::string(5'000'000, 'y');
     EXPECT_EQ(diagnostics.report(rule, {}, {letters}).message(), "no `" + std::string(999, 'x') + "...`");
 }

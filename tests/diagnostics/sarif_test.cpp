@@ -1,4 +1,4 @@
-// SARIF: the structure that the 2.1.0 schema demands of what we write, checked by hand.
+// SARIF: the structure that the 2.1.0 schema requires, checked by hand.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -23,7 +23,7 @@ void expect_keys(const json& object, const std::set<std::string>& allowed, const
     for (const std::string& key : required) EXPECT_TRUE(object.contains(key)) << key;
 }
 
-/// region: lines and columns from 1, the end not before the begin (3.30).
+/// region: lines and columns start at 1, and the end is not before the start (3.30).
 void expect_region(const json& region) {
     expect_keys(region, {"startLine", "startColumn", "endLine", "endColumn"}, {"startLine"});
     EXPECT_GE(region.at("startLine").get<int>(), 1);
@@ -89,7 +89,7 @@ json expect_sarif(const std::string& text) {
     return run;
 }
 
-/// As from the verb `validate`, with titles that differ from messages.
+/// Rules as in the verb `validate`, with titles that differ from messages.
 SarifRules about(const std::string& limit = "") {
     return {"1.2", "validate/m.rct",
             [](const Rule& rule) { return rule.code == "R1" ? "a name is wrong" : "something is odd"; }, limit};
@@ -113,7 +113,7 @@ TEST(Sarif, HasRulesPlacesNotesAndFixes) {
     EXPECT_EQ(rule.at("shortDescription").at("text"), "A name is wrong.");
     EXPECT_EQ(rule.at("fullDescription").at("text"), "Because of the rule.");
     EXPECT_EQ(run.at("automationDetails").at("id"), "validate/m.rct/");
-    // A finding without a place is no result.
+    // A finding without a place is not a result.
     const json& invocation = run.at("invocations").at(0);
     EXPECT_EQ(invocation.at("executionSuccessful"), true) << "it is a warning";
     EXPECT_EQ(invocation.at("toolExecutionNotifications").at(0).at("descriptor").at("id"), "R2");
@@ -135,7 +135,7 @@ TEST(Sarif, WithoutFindingsIsARunToo) {
     EXPECT_TRUE(run.at("results").empty());
 }
 
-// SARIF 2.1.0, 3.20: of a run that was cut short the results are not all.
+// SARIF 2.1.0, 3.20: an interrupted run must report that its results are incomplete.
 TEST(Sarif, OfARunThatWasCutShortSaysSo) {
     const json run = json::parse(render_sarif({}, {}, about("the time limit was reached"))).at("runs").at(0);
     const json& invocation = run.at("invocations").at(0);
@@ -154,7 +154,7 @@ TEST(Sarif, AFileThatCannotBeReadIsNoResult) {
               "`x` is wrong");
 }
 
-// Services tell findings from one run to the next by it.
+// Services use the fingerprint to recognise findings of earlier runs.
 TEST(Sarif, AFingerprintStaysWhereLinesAreAddedAbove) {
     const auto fingerprint = [](const std::string& above, std::uint32_t begin) {
         SourceManager sources;

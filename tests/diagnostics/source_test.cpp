@@ -1,4 +1,4 @@
-// Places in source texts.
+// Positions in source texts.
 #include "diagnostics/source.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ TEST(SourceManager, CountsLinesFromOneAndColumnsInCodePoints) {
     EXPECT_EQ(sources.position(id, 0).line, 1U);
     EXPECT_EQ(sources.position(id, 3).line, 2U);
     EXPECT_EQ(sources.position(id, 3).column, 1U);
-    EXPECT_EQ(sources.position(id, 5).column, 2U);  // the x behind a two-byte letter
+    EXPECT_EQ(sources.position(id, 5).column, 2U);  // the x after a two-byte letter
     EXPECT_EQ(sources.position(id, 8).line, 3U);
     EXPECT_EQ(sources.position(id, 1000).column, 5U);  // clamped to the end
     EXPECT_EQ(sources.line(id, 2), "\xC3\xA9x");
@@ -27,7 +27,7 @@ TEST(SourceManager, CountsLinesFromOneAndColumnsInCodePoints) {
     EXPECT_EQ(sources.place({}), "");
 }
 
-/// It belongs to the file: places are counted as if there were none.
+/// The mark belongs to the file: positions are counted as if it were absent.
 TEST(SourceManager, LeavesOutAByteOrderMark) {
     SourceManager sources;
     const SourceId id = sources.add("a.rct",

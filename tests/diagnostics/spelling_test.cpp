@@ -1,4 +1,4 @@
-// Which of the known words a misspelt one stands for: near enough to be meant, or none.
+// The known word that a misspelt word means, or none if no known word is similar enough.
 #include "diagnostics/spelling.hpp"
 
 #include <gtest/gtest.h>

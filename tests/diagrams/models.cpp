@@ -30,7 +30,7 @@ std::size_t draw_below(const fs::path& folder, const std::function<void(const Dr
 
 namespace {
 
-/// The models shown in a page: its blocks `robochart`.
+/// The models shown in a page: its `robochart` blocks.
 std::vector<std::string> models_in(const std::string& page) {
     std::vector<std::string> models;
     std::istringstream lines(page);

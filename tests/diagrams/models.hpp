@@ -1,4 +1,4 @@
-// Models to be drawn, each file read alone: many of their names mean nothing then, which diagrams have to stand.
+// Models for diagrams. Each file is loaded alone, so many of its names are unresolved, which diagrams must handle.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace robochart::diagrams {
 
-/// A diagram with everything it was made of.
+/// A diagram and the objects that it refers to.
 struct DrawnModel {
     const random_models::Loaded& model;
     const Elements& elements;
@@ -19,11 +19,11 @@ struct DrawnModel {
     const Picture& picture;
 };
 
-/// Draws everything of a project.
+/// Draws all components of a project.
 void draw_each(const random_models::Project& project, const std::function<void(const DrawnModel&)>& look);
-/// The same for every model file below a folder, alone; returns how many there were.
+/// Draws every model file below a folder, each alone; returns their number.
 std::size_t draw_below(const std::filesystem::path& folder, const std::function<void(const DrawnModel&)>& look);
-/// The same for the corpus, the models of the tests, and those shown in the documentation.
+/// Draws the corpus, the models of the tests, and the models shown in the documentation; returns their number.
 std::size_t draw_own_models(const std::function<void(const DrawnModel&)>& look);
 
 }  // namespace robochart::diagrams

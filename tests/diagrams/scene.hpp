@@ -1,4 +1,4 @@
-// What can be said of the geometry of a diagram whatever it shows: the criteria that every layout has to meet.
+// The geometry of any diagram, and the criteria that every layout must satisfy.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +10,17 @@
 
 namespace robochart::diagrams {
 
-/// No box.
+/// The index for "no box".
 inline constexpr std::size_t no_box = static_cast<std::size_t>(-1);
 
 /// A box, a circle, or the square of a port.
 struct SceneBox {
     std::string name;
     layout::Rectangle place;
-    std::size_t parent = no_box;   ///< of boxes, the one that it is in
-    std::size_t port_of = no_box;  ///< of a square, the box on whose border it is
+    std::size_t parent = no_box;   ///< of boxes, the enclosing box
+    std::size_t port_of = no_box;  ///< of a port, the box on whose border it is
     bool round = false;
-    bool frame = false;  ///< everything is in it, also lines from the squares on its border
+    bool frame = false;  ///< contains everything, also lines from the ports on its border
 };
 
 /// An edge between two boxes of one level.
@@ -37,23 +37,22 @@ struct Scene {
     std::vector<SceneLine> lines;
 };
 
-/// A picture.
+/// The scene of a picture.
 [[nodiscard]] Scene scene_of(const Picture&);
 
-/// A level and where it was put.
+/// The scene of a level and its placement.
 [[nodiscard]] Scene scene_of(const layout::Level&, const layout::Placement&);
 
-/// What is wrong with it, a sentence each; empty for a good one: boxes of a level, labels and squares do not overlap;
-/// no label is on a line; no two lines run on each other (but into a circle or a square that they share); no line leads
-/// through a box; every end is on the border of its box; lines are horizontal and vertical; what is in a box is within
-/// it.
+/// The violated criteria, one sentence each. Boxes of a level, labels and ports must not overlap. No label may be on a
+/// line. Lines must not overlap, except where they join at a common circle or port. No line may cross a box. Every end
+/// is on the border of its box. Lines are horizontal and vertical. The contents of a box are within it.
 [[nodiscard]] std::vector<std::string> faults_of(const Scene&);
 
-/// How often lines cross.
+/// The number of crossings of lines.
 [[nodiscard]] std::size_t crossings_of(const Scene&);
 
-/// Of all pairs of boxes of one level that both scenes have (by name), the share whose order from left to right or from
-/// top to bottom is another one.
+/// The share of flipped pairs: of all pairs of boxes that are in the same level of both scenes (by name), those whose
+/// left-right or top-bottom order differs.
 struct Flips {
     std::size_t pairs = 0, flipped = 0;
 };

@@ -1,4 +1,4 @@
-// The words of assertions, which the language reserves only where they stand.
+// The words of assertions, which are reserved only in some positions.
 #pragma once
 
 #include <set>
@@ -6,7 +6,7 @@
 
 namespace robochart::editors {
 
-/// The words that the parser of assertions asks for: those of its string literals that are words.
+/// The words that the parser of assertions compares with: those of its string literals that are words.
 [[nodiscard]] std::set<std::string> assertion_words();
 
 }  // namespace robochart::editors

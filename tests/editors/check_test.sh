@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What the extension reads of the program's own report: a failure at the line of its assertion, with steps at theirs.
+# The extension parses the program's own report: a failed check at the line of its assertion, and steps at their lines.
 # Argument: the program. Exit code 77 (skipped) without node.
 set -euo pipefail
 program="$(realpath "$1")"

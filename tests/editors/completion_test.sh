@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The completion for bash, sourced as users do, offers the verbs, the options of each, their choices and files.
+# The completion for bash, sourced as users do, offers verbs, their options, the choices of options, and files.
 # Argument: the program.
 set -euo pipefail
 program="$1"
@@ -8,7 +8,7 @@ folder="$(cd "$(dirname "$0")/../.." && pwd)"
 source <("$program" help --generate bash)
 failures=0
 
-# What is offered for the last of the words, sorted, on one line.
+# The offers for the last of the words, sorted, on one line.
 offered() {
   COMP_WORDS=(robochart-verify "$@")
   COMP_CWORD="$#"
@@ -27,7 +27,7 @@ expect() {
   fi
 }
 
-# Long options of a verb as its help lists them.
+# The long options in the help of a verb.
 options_of() {
   "$program" "$@" --help | sed -n 's/^  \(-[a-z], \|    \)\(--[a-z-]*\).*/\2/p' | sort | tr '\n' ' ' | sed 's/ $//'
 }
@@ -39,7 +39,7 @@ for verb in verify validate check conform cspm simulate explain format 'emit csp
   [ "$(wc -w <<<"$options")" -ge 2 ] || { echo "$verb has no options" >&2; exit 1; }
   expect "$options" "${words[@]}" --
 done
-expect "$(options_of verify)" aggregation --  # a model as the first word is `verify`
+expect "$(options_of verify)" aggregation --  # a model as the first word means `verify`
 expect "--help --version" --
 expect "emit explain" e
 expect "aggregation" check agg

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The lines for Emacs in docs/lsp.md, in an Emacs without a terminal: a model with a finding is opened, and the finding arrives.
-# Argument: the program. Exit code 77 (skipped) where there is no Emacs with eglot.
+# The configuration for Emacs in docs/lsp.md, in Emacs without a terminal: it opens a model with a finding, and the
+# finding is displayed. Argument: the program. Exit code 77 (skipped) without Emacs with eglot.
 set -euo pipefail
 program="$(realpath "$1")"
 cd "$(dirname "$0")/../.."

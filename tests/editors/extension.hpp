@@ -17,8 +17,7 @@ using tests::contents;
 /// A JSON file of the extension.
 [[nodiscard]] nlohmann::json load_json(const std::string& name);
 
-/// The words that a grammar spells out in patterns whose scopes satisfy the predicate; what only looks ahead or behind
-/// does not count.
+/// The words in those patterns of a grammar whose scopes satisfy the predicate, without lookarounds.
 [[nodiscard]] std::set<std::string> grammar_words(const nlohmann::json& grammar,
                                                   const std::function<bool(const std::string&)>& scope);
 

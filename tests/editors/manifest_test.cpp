@@ -1,4 +1,4 @@
-// The extension's manifest names what is there, and its lock file names no server.
+// The extension's manifest names only existing files, and its lock file names no server.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ TEST(Manifest, GrammarsHaveTheirScopesAndLanguages) {
     for (const json& snippets : contributes.at("snippets")) EXPECT_TRUE(languages.contains(snippets.at("language")));
 }
 
-/// Every `#name` that a grammar includes is in its repository; every other scope is one of ours.
+/// Every `#name` that a grammar includes is in its repository; every other scope belongs to one of our grammars.
 void expect_includes(const json& node, const std::map<std::string, json>& grammars, const json& own) {
     if (node.is_object() && node.contains("include")) {
         const std::string target = node.at("include");

@@ -1,4 +1,4 @@
-// What a snippet inserts is text of the language, whatever is chosen in it.
+// Every choice in a snippet inserts valid text.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -20,7 +20,7 @@ std::string joined(const json& body) {
     return text;
 }
 
-/// The snippet with each placeholder's default filled in; of a choice the one with that number, or its first.
+/// The snippet with the defaults of its placeholders. Each choice gets the option with this number, or its first one.
 std::string filled(const std::string& body, std::size_t choice) {
     static const std::regex field(R"(\$\{(\d+):([^}]*)\}|\$\{(\d+)\|([^|]*)\|\}|\$(\d+))");
     std::map<std::string, std::string> defaults;
@@ -44,7 +44,7 @@ std::string filled(const std::string& body, std::size_t choice) {
     return out.append(last, body.cend());
 }
 
-/// Errors of the text; with `resolve`, those of names, types and rules too.
+/// Syntax errors of the text; with `resolve` also those of names, types and rules.
 std::string errors(const std::string& text, bool is_assertions, bool resolve) {
     frontend::Model model;
     diagnostics::SourceManager sources;
@@ -55,7 +55,7 @@ std::string errors(const std::string& text, bool is_assertions, bool resolve) {
     return findings.ok() ? "" : diagnostics::render_text(sources, findings);
 }
 
-/// Where each snippet of models belongs, `%` standing for it.
+/// The context for each snippet of models; `%` stands for the snippet.
 const std::map<std::string, std::string> places = {
     {"state", "stm M { % }"},   {"composite", "stm M { % }"}, {"transition", "stm M { % }"},
     {"trigger", "stm M { % }"}, {"after", "stm M { % }"},     {"stm", "%"},
@@ -96,7 +96,7 @@ TEST(Snippets, AssertionsParseWithEveryChoice) {
         }
 }
 
-/// The snippets that stand alone are well formed, not only well spelt.
+/// Snippets of whole elements satisfy all rules, not only the syntax.
 TEST(Snippets, WholeElementsAreWellFormed) {
     const json snippets = load_json("snippets/robochart.json");
     for (const char* name :

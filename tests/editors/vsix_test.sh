@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # scripts/vsix.py makes an archive that VS Code can install: manifest, content types, the files that package.json names,
-# a program that can be run. Packages of the client and the program are stand-ins. Exit code 77 (skipped) without python3.
+# and an executable program. The packages of the client and the program are stand-ins. Exit code 77 (skipped) without
+# python3.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 command -v python3 >/dev/null || { echo "python3 is not installed" >&2; exit 77; }
@@ -44,7 +45,7 @@ for name in names:
     assert not name.endswith((".d.ts", ".svg")) and "/browser/" not in name and "/tests/" not in name, name
 PYTHON
 
-# What is too large, or lacks a part, is refused with the reason, and leaves nothing behind.
+# An archive that is too large or incomplete is rejected with the reason, and no file is left.
 head -c 700000 /dev/urandom >"$folder/modules/vscode-languageclient/large.js"
 if make_it "$folder/c.vsix"; then echo "a client of 700 kB was accepted" >&2; exit 1; fi
 grep -q "at most 500 kB" "$folder/log"

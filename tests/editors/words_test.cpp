@@ -1,4 +1,4 @@
-// The grammars of the extension know every word of the languages and invent none.
+// The grammars of the extension contain exactly the words of the languages.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -70,7 +70,7 @@ Words parts(const Words& words) {
 TEST(GrammarWords, AssertionsAreTheWordsOfTheirParser) {
     Words expected = parts(assertion_words());
     ASSERT_THAT(expected, ::testing::IsSupersetOf({"assertion", "deadlock", "timelock", "csp", "rewards"}));
-    // The RoboChart grammar, included there, colours the first two; the third is the title of a fix.
+    // The included RoboChart grammar colours the first two words; the third one is the title of a fix.
     for (const char* word : {"import", "package", "write"}) expected.erase(word);
     const auto scope = [](const std::string& name) { return starts_with_any(name, {"keyword", "storage", "support"}); };
     const Words coloured = parts(grammar_words(load_json("syntaxes/robochart-assertions.tmLanguage.json"), scope));
@@ -84,7 +84,7 @@ bool is_cspm_keyword(const std::string& scope) {
 }
 
 TEST(GrammarWords, CspmIsTheTableOfItsWords) {
-    Words expected{"print", "include"};  // words at the beginning of a line only
+    Words expected{"print", "include"};  // words only at the start of a line
     for (int kind = static_cast<int>(cspm::Tok::kw_false); kind <= static_cast<int>(cspm::Tok::kw_timed); ++kind)
         expected.emplace(cspm::spelling(static_cast<cspm::Tok>(kind)));
     EXPECT_EQ(grammar_words(load_json("syntaxes/cspm.tmLanguage.json"), is_cspm_keyword), expected);

@@ -1,5 +1,5 @@
-// Nesting and chains of any length are answered by a finding or read, never by the end of the stack; sanitizers make
-// frames larger, so this is worth most there.
+// Nesting and chains of any length are parsed or rejected with a finding, and never overflow the stack. Sanitizers make
+// frames larger, so the test is most useful with them.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -23,11 +23,11 @@ std::string deep(const Shape& shape, std::size_t times) {
 }
 
 void expect_bounded(std::string (*run)(std::string_view), std::span<const Shape> shapes) {
-    // Around the limits of the readers (256, 800, 1000, 4000) and far beyond.
+    // Close to the limits of the parsers (256, 800, 1000, 4000) and far beyond.
     for (const Shape& shape : shapes)
         for (const std::size_t times : {255U, 1000U, 4001U, 20000U}) {
             EXPECT_EQ(run(deep(shape, times)), "") << shape.before << shape.open << " … x " << times;
-            // The same, broken off in the middle.
+            // The same text, truncated in the middle.
             const Shape open{shape.before, shape.open, shape.middle, "", ""};
             EXPECT_EQ(run(deep(open, times)), "") << shape.before << shape.open << " … x " << times << ", open";
         }

@@ -1,4 +1,4 @@
-// The fuzzers' dictionaries hold every word and symbol of the languages, each a single token.
+// The fuzzers' dictionaries contain every word and symbol of the languages, each as a single token.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,8 @@
 namespace robochart::fuzz {
 namespace {
 
-/// The entries of a dictionary in libFuzzer's form: `"text"` a line, `\\` and `\"` escaped, comments after `#`.
+/// The entries of a dictionary in libFuzzer's format: one `"text"` per line, with `\\` and `\"` as escapes, and
+/// comments after `#`.
 std::set<std::string> dictionary(const std::string& name) {
     std::ifstream in(tests::source_folder().string() + "/tests/fuzz/" + name);
     std::set<std::string> entries;
@@ -39,7 +40,7 @@ TEST(Dictionaries, RoboChart) {
     EXPECT_GT(editors::assertion_words().size(), 40U);
 }
 
-/// The table of words knows what the parser asks for.
+/// The table of words contains the words that the parser compares with.
 TEST(Dictionaries, WordsOfAssertions) {
     const auto table = frontend::assertion_words();
     EXPECT_TRUE(std::is_sorted(table.begin(), table.end()));
@@ -51,7 +52,7 @@ TEST(Dictionaries, WordsOfAssertions) {
     }
 }
 
-/// Kinds whose spelling is a description, not their text.
+/// Token kinds whose spelling is a description and not their text.
 bool has_no_text(cspm::Tok kind) {
     using cspm::Tok;
     const std::set<Tok> described{Tok::end,       Tok::newline, Tok::bad,      Tok::identifier,     Tok::integer,

@@ -1,4 +1,4 @@
-// libFuzzer's entry for one target; a broken promise ends the program like a crash.
+// libFuzzer's entry point for one target; a violated property ends the program like a crash.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// Inputs that once broke a promise of tests/fuzz/targets/targets.hpp, and the examples kept beside them, on every
-// compiler.
+// Inputs that once violated a property of tests/fuzz/targets/targets.hpp, and the examples stored next to them, with
+// every compiler.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ TEST_P(Regressions, KeepEveryPromise) {
     for (const fs::path& file : files) EXPECT_EQ(GetParam().run(contents(file)), "") << file;
 }
 
-/// Every prefix of a text is the text while it is being typed.
+/// Every prefix of a text is an input that occurs while the text is typed.
 TEST_P(Regressions, KeepEveryPromiseWhileTyped) {
     for (const fs::path& file : files_of(root / "tests/fuzz/regressions" / GetParam().name)) {
         const std::string text = contents(file).substr(0, 2000);

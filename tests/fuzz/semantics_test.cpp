@@ -1,5 +1,5 @@
-// What is behind the front end, on models that are well-formed and on models that nearly are: random ones, those of the
-// corpus and those of the tests. ROBOCHART_SEEDS=N tries more, ROBOCHART_FIRST_SEED=N others.
+// The components after the front end, on well-formed and almost well-formed models: random models, the corpus, and
+// models of the tests. ROBOCHART_SEEDS=N tries more, ROBOCHART_FIRST_SEED=N others.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using random_models::Project;
 using random_models::Shape;
 
-/// As the target reads it.
+/// The project in the target's input format.
 std::string bytes_of(const Project& project) {
     std::string bytes;
     for (const random_models::Text& file : project)
@@ -31,7 +31,7 @@ std::string bytes_of(const Project& project) {
     return bytes;
 }
 
-/// The folders of models below these, each a project.
+/// The projects in the folders below these.
 std::vector<Project> kept_projects() {
     std::vector<Project> projects;
     for (const char* folder : {"corpus", "tests/app/agreeing", "tests/conformance/models", "tests/cpp_emit/models"}) {
@@ -51,7 +51,7 @@ std::vector<Project> kept_projects() {
     return projects;
 }
 
-/// Small models with all that the language has.
+/// Small models with all constructs of the language.
 Shape small_shape(std::uint64_t seed) {
     Shape shape = Shape::whole_language();
     shape.files = {1, 2};

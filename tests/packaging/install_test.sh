@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# `cmake --install` writes the files that it should and no others; the installed program runs in an empty environment from
-# another folder; it needs no newer C library than packages may. Arguments: the sources, the build tree.
+# `cmake --install` writes the required files and no others. The installed program runs in an empty environment from
+# another folder, and needs no newer C library than packages may. Arguments: the sources, the build tree.
 set -euo pipefail
 sources="$1"
 build="$2"
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
 
-# The manifest is for `uninstall` of what the user installed.
+# Saves the manifest, which `uninstall` needs for the user's installation.
 manifest="$build/install_manifest.txt"
 [ ! -e "$manifest" ] || cp "$manifest" "$folder/users"
 cmake --install "$build" --prefix "$folder/usr" >/dev/null
@@ -42,13 +42,13 @@ diff <(echo "$expected") <(echo "$found") || { echo "other files are installed t
 
 gzip -dc "$folder/usr/share/man/man1/robochart-verify.1.gz" | cmp - "$sources/docs/robochart-verify.1"
 
-# Links of the documents lead to what is installed.
+# Links in the documents lead to installed files.
 links=0
 while IFS=: read -r page link; do
   links=$((links + 1))
   [ -e "$(dirname "$page")/$link" ] || { echo "$page: $link leads nowhere" >&2; exit 1; }
 done < <(grep -roE --include='*.md' '\]\([^)#: ]+' "$folder/usr/share/doc/robochart-verify" | sed 's/\](//' |
-  grep -vE ':(https?|CODE\.md)$')  # the form of a line of rules/README.md
+  grep -vE ':(https?|CODE\.md)$')  # the pattern in rules/README.md
 [ "$links" -gt 500 ] || { echo "only $links links are found" >&2; exit 1; }
 
 mkdir "$folder/elsewhere"
@@ -58,7 +58,7 @@ run=(env -i "$folder/usr/bin/robochart-verify")
 [ "$("${run[@]}" version)" = "$("$build/app/robochart-verify" --version)" ]
 grep -q "^project(robochart-verify VERSION $("${run[@]}" version | cut -d ' ' -f 2) " "$sources/CMakeLists.txt"
 "${run[@]}" explain RC-W07 | grep -q 'RC-W07'
-[ -z "$(ls)" ]  # `check` writes nothing
+[ -z "$(ls)" ]  # `check` writes no files
 
 "$sources/tests/packaging/symbols.sh" "$folder/usr/bin/robochart-verify"
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The CMake function adds tests that pass and fail with the verdicts; the script of the GitHub action passes words as they
-# are and keeps the exit code; the hooks of pre-commit run. Arguments: the sources, the build tree.
+# The CMake function adds tests that pass or fail with the verdicts. The script of the GitHub action passes words
+# unchanged and keeps the exit code. The hooks of pre-commit run. Arguments: the sources, the build tree.
 set -euo pipefail
 sources="$1"
 build="$2"
@@ -13,7 +13,7 @@ ln -s "$build/app/robochart-verify" "$folder/usr/bin/robochart-verify"
 ln -s "$sources/cmake" "$folder/usr/share/robochart-verify/cmake"
 export PATH="$folder/usr/bin:$PATH"
 
-# Models whose names a shell would take apart.
+# Models whose names a shell would split.
 project="$folder/a project"
 mkdir -p "$project/it holds" "$project/it; fails"
 model='stm S { event e initial i state A { } transition t0 { from i to A } transition t1 { from A to A trigger e } }'
@@ -55,7 +55,7 @@ grep -q '<failure' "$folder/report.xml" || fail "the report of the action has no
 [ "$(MODEL='it holds' VERB='check; touch x' code bash "$script")" = 4 ] || fail "any verb is accepted"
 [ ! -e x ] || fail "text of a workflow was run"
 
-# The hooks get the files that are to be committed.
+# The hooks get the files of a commit.
 hooks=0
 while read -r entry; do
   hooks=$((hooks + 1))

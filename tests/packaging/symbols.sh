@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A program uses no function of the C library that is newer than glibc 2.35: Debian 12 has 2.36, Ubuntu 22.04 has 2.35.
-# With --alone it needs no other library either. Arguments: [--alone] PROGRAM.
+# Checks that a program uses no function of the C library that is newer than glibc 2.35 (Debian 12 has 2.36, Ubuntu
+# 22.04 has 2.35). With --alone the program may need no other library. Arguments: [--alone] PROGRAM.
 set -euo pipefail
 alone=0
 if [ "$1" = --alone ]; then

@@ -1,4 +1,4 @@
-// A component that is being animated, with all that this needs.
+// A component that is being animated, with the objects that this needs.
 #pragma once
 
 #include <memory>

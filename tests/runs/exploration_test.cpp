@@ -1,4 +1,4 @@
-// What is explored is what the stepper shows: states and offers by hand, limits, and walks by chance.
+// Explorations agree with the stepper: states and offers by hand, limits, and random walks.
 #include "runs/exploration.hpp"
 
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@ namespace {
 using csp_emit::Time;
 using testing::Animation;
 
-/// The processes of a script; the first assertion names the one that is explored.
+/// The processes of a script; the first assertion names the process to explore.
 struct ScriptSpace {
     explicit ScriptSpace(const std::string& text)
         : script(cspm::read(sources, sources.add("s.csp", text), diagnostics)), session(script) {}
@@ -37,7 +37,7 @@ struct ScriptSpace {
     StepReader reader{context};
 };
 
-/// "a>1 b>2" for each state: its offers with the states behind them, "?" where that was not explored.
+/// "a>1 b>2" for each state: its offers with their target states, "?" if the target was not explored.
 std::vector<std::string> listed(const Exploration& space) {
     std::vector<std::string> result;
     for (const Exploration::State& state : space.states) {
@@ -56,7 +56,7 @@ Q = b -> P [] c -> R
 R = b -> P
 assert P :[deadlock free])";
 
-// P is 0, Q is 1, STOP is 2, R is 3: in the order in which they are met.
+// P is 0, Q is 1, STOP is 2, R is 3: in the order of discovery.
 TEST(Exploration, HasEveryStateWithItsOffers) {
     const Exploration space = ScriptSpace(choice).explore();
     EXPECT_THAT(listed(space), ::testing::ElementsAre("a>1 b>2", "b>0 c>3", "", "b>0"));
@@ -92,7 +92,8 @@ TEST(Exploration, KeepsAStateThatCannotBeEvaluated) {
     EXPECT_THAT(space.states[1].error, ::testing::HasSubstr("Q"));
 }
 
-/// Events that a component offers and the process does not, by the rules of parallel composition, hiding and priority.
+/// The events that a component offers and the process does not, by the rules of parallel composition, hiding and
+/// priority.
 std::vector<std::string> absences_of(const std::string& text) {
     ScriptSpace space(text);
     const Exploration explored = space.explore({1, 100});
@@ -120,8 +121,8 @@ TEST(Exploration, SaysWhoKeepsAnEventFromHappening) {
                 ::testing::Contains("P: a: the parts that share it do not all offer it"));
 }
 
-// In On it takes f once the clock allows it; the clock stops above the largest number that it is compared with
-// (semantics 3.10).
+// In On the machine accepts f once the clock allows it. The clock saturates above the largest number with which it is
+// compared (semantics 3.10).
 TEST(Exploration, HasMachinesWithTheirActiveStatesAndAbsences) {
     Animation animation(csp_emit::testing::model(R"(stm S { event e event f initial i clock T
 state Off { } state On { }
@@ -147,7 +148,7 @@ transition t2 { from On to Off trigger f condition since(T) >= 2 } })"),
                         "2: input f one time unit passes", "3: input f one time unit passes"));
 }
 
-/// What can be seen of an offer.
+/// The visible part of an offer.
 std::string seen(const Happening& happening, const std::string& name, bool hidden) {
     std::string text = happening.event.text + "|" + name + (hidden ? "|hidden" : "");
     for (const Event& each : happening.with) text += "|" + each.text;

@@ -1,4 +1,4 @@
-// Walks by chance: what the stepper offers is what the compiled process, which verdicts are about, can do.
+// Random walks: the stepper offers exactly the steps of the compiled process that verdicts are about.
 #include "runs/stepper.hpp"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ using testing::Animation;
 
 using Names = std::set<std::string>;
 
-/// The states of the compiled process that the way may have led to: the same events may lead to several.
+/// The states that the compiled process may have reached with the events of the walk.
 class Shadow {
 public:
     explicit Shadow(lts::TransitionSystem& system) : system_(&system) { restart(); }
@@ -34,8 +34,8 @@ public:
         system_->initial(first);
         states_ = {first};
     }
-    /// Keeps the states that offer just this; false if there is none. Steps of one name may be fewer: the compiler
-    /// takes states that behave alike for one.
+    /// Keeps the states with exactly these offers; returns false if there is none. A state may have fewer steps with
+    /// the same name, because the compiler merges equivalent states.
     [[nodiscard]] bool offers(const Names& names) {
         std::erase_if(states_, [&](const std::vector<Word>& state) { return steps(state).names != names; });
         return !states_.empty();
@@ -55,7 +55,7 @@ private:
         Names names;
     };
 
-    /// Walks come back to the same states.
+    /// Caches steps, because walks return to the same states.
     const Steps& steps(const std::vector<Word>& state) {
         const auto [found, added] = known_.try_emplace(state);
         if (!added) return found->second;
@@ -78,8 +78,8 @@ private:
     std::map<std::vector<Word>, Steps> known_;
 };
 
-/// What the stepper offers in a state: the names that the environment knows, and where they lead. Hidden events have
-/// one name: the compiler takes states that behave alike for one, whatever their hidden events are.
+/// The offers of the stepper in a state: visible names and their targets. All hidden events have the same name, because
+/// the compiler merges states that differ only in hidden events.
 struct Offered {
     std::vector<std::pair<std::string, process::TermId>> list;
     Names names;
@@ -92,7 +92,8 @@ struct Offered {
     }
 };
 
-/// How many steps of the walk agreed; a failure where one does not. Where nothing can happen it begins again.
+/// Returns the number of steps of the walk that agreed; a difference fails the test. If no step is possible, the walk
+/// restarts.
 std::size_t walk(Animation& animation, std::size_t steps, std::uint64_t seed) {
     const auto system = animation.session.system(animation.process);
     Shadow shadow(*system);
@@ -146,7 +147,7 @@ transition t0 { from i to Off }
 transition t1 { from Off to On trigger e?x condition x > 0 }
 transition t2 { from On to Off trigger f condition since(T) >= 3 } })";
 
-/// The offer with this text.
+/// The index of the offer with this text.
 std::size_t offer(Stepper& stepper, const std::string& text) {
     const auto& offers = stepper.offers();
     for (std::size_t i = 0; i < offers.size(); ++i)
@@ -196,7 +197,7 @@ TEST(Stepper, SaysWhyATransitionIsNotOnOffer) {
     EXPECT_TRUE(stepper.absences().empty()) << "three units after the reset";
 }
 
-// `Silent` would send, and the controller connects nothing that receives.
+// `Silent` could send, but the controller connects no receiver.
 TEST(Stepper, KnowsWhereTheSurroundingsDoNotTakePart) {
     Animation animation(csp_emit::testing::model(R"(
 stm A { event e initial i state S { } state T { } transition t0 { from i to S } transition t1 { from S to T trigger e } }
@@ -211,7 +212,7 @@ controller C { sref a = A sref b = B connection b on e to a on e })"),
     EXPECT_THAT(absences.front().reason, ::testing::HasSubstr("its surroundings do not take part"));
 }
 
-// After the first step one machine has moved, the other is still behind the definition that it begins with.
+// After the first step one machine has moved, and the other is still inside its initial definition.
 TEST(Stepper, HasAllMachinesAtEveryStep) {
     Animation animation(csp_emit::testing::model(R"(
 stm A { initial i state S { } transition t0 { from i to S } }

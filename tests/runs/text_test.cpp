@@ -1,4 +1,4 @@
-// Runs as text: what is said, and what is left out.
+// Runs as text: contents and omissions.
 #include "runs/text.hpp"
 
 #include <gtest/gtest.h>
@@ -86,7 +86,7 @@ TEST(Text, SeveralMachinesAreNamed) {
               "one   output a; two: input b   [x = 1]\n"
               "now one: in A; two: in B\n"
               "why w\n");
-    // Two of one name are distinguished.
+    // Two components with the same name are distinguished.
     run.initial[1].component = run.steps[0].machines[1].component = "P::M::d::one";
     run.steps[0].with[0].component = "P::M::d::one";
     EXPECT_EQ(text(run, ""),

@@ -1,4 +1,4 @@
-// Runs of processes taken apart: who moves, under which name, and where everybody is.
+// Runs decomposed by processes: which component moves, with which name, and the states of all components.
 #include "runs/timeline.hpp"
 
 #include <gmock/gmock.h>
@@ -14,7 +14,8 @@ namespace {
 
 using ::testing::ElementsAre;
 
-/// The counterexample to the script's assertion: of each step "NAME of COMPONENT, …", then where the components are.
+/// The counterexample to the script's assertion: "NAME of COMPONENT, …" for each step, then the final states of the
+/// components.
 std::vector<std::string> reported(const std::string& text) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;

@@ -1,4 +1,4 @@
-// Expressions built by hand for the tests of this component.
+// Functions that build expressions for the tests of this component.
 #pragma once
 
 #include "semantics/ir/ir.hpp"

@@ -1,4 +1,4 @@
-// RoboTool's regression models: everything in accept/ lowers.
+// RoboTool's regression models: all models in accept/ can be lowered.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Rows of tables of advice: which one a place in a text finds.
+// Tables of advice: the row that matches a position in a text.
 #include "diagnostics/advice/advice.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,8 @@
 namespace robochart::diagnostics {
 namespace {
 
-/// What a table says of a place in a text of words: `NUMBER` for digits, the text's ends beyond it.
+/// The advice for a position in a text of words; `NUMBER` stands for digits, and the ends of the text for positions
+/// outside.
 std::string said(const std::vector<Advice>& rows, const std::string& expected, const std::vector<std::string>& text,
                  std::size_t place) {
     return std::string(advice_on(rows, expected, [&](std::ptrdiff_t ahead) -> AdviceWord {

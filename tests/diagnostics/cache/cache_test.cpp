@@ -1,4 +1,5 @@
-// Entries are found again whole or not at all, by the program that kept them, and the folder stays small.
+// Cache entries are found complete or not at all, only by the program version that stored them, and the folder stays
+// small.
 #include "diagnostics/cache/cache.hpp"
 
 #include <gtest/gtest.h>

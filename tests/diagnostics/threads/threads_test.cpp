@@ -1,5 +1,5 @@
-// Work by several threads: every number once, the exception of the least; threads that throw, and threads that cannot
-// be started.
+// Parallel work on threads: each number is processed once, and the exception of the lowest number is rethrown; also
+// threads that throw, and threads that cannot be started.
 #include "diagnostics/threads/threads.hpp"
 
 #include <gtest/gtest.h>
@@ -117,7 +117,7 @@ TEST(Watched, TheWatcherLooksOnceAtTheEnd) {
     EXPECT_GE(looks, 1);
 }
 
-/// Exit code of a program without memory for the stacks of many threads: 3 where it hears of a limit.
+/// The exit code of a program without memory for the stacks of many threads: 3 if it reports a limit.
 int end_without_stacks(const std::function<void()>& work) {
     const pid_t child = fork();
     if (child == 0) {

@@ -1,4 +1,4 @@
-// Exports for Mermaid and Graphviz: what they say, and that Graphviz reads them.
+// Exports for Mermaid and Graphviz: their contents, and that Graphviz parses them.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(Mermaid, SaysWhatIsDrawn) {
               "  n6 --> n6 : e\n");
 }
 
-/// `;` would end a statement, `::` is refused, `\n` would be a line end.
+/// `;` would end a statement, Mermaid rejects `::`, and `\n` would be a line end.
 TEST(Mermaid, TextIsEscaped) {
     const std::string text = exported(
         mermaid,
@@ -59,7 +59,7 @@ TEST(Mermaid, TextIsEscaped) {
     EXPECT_THAT(action, HasSubstr("a#59;b#58;#58;c#92;n"));
 }
 
-/// With a note on a nested composite state Mermaid 12 draws that outside of the state around it.
+/// If a nested composite state has a note, Mermaid 12 draws the state outside its parent.
 TEST(Mermaid, ActionsOfNestedCompositesAreInTheirTitles) {
     const std::string text =
         exported(mermaid,

@@ -1,4 +1,5 @@
-// The layout of random levels meets the criteria of scene.hpp, is the same twice, and changes little with small edits.
+// The layout of random levels satisfies the criteria of scene.hpp, is deterministic, and changes little after small
+// edits.
 #include "diagrams/layout/arrange.hpp"
 
 #include <gmock/gmock.h>
@@ -51,7 +52,7 @@ TEST(Arrange, TheSameLevelIsPlacedTheSame) {
     }
 }
 
-/// A level that knows how it was placed before.
+/// The level with the previous placement.
 Level remembering(Level level, const Placement& before) {
     for (std::size_t b = 0; b < before.boxes.size(); ++b) level.boxes[b].previous = before.boxes[b].rank;
     for (std::size_t e = 0; e < before.edges.size(); ++e) level.edges[e].previous = before.edges[e].ranks;
@@ -59,7 +60,7 @@ Level remembering(Level level, const Placement& before) {
     return level;
 }
 
-/// Flips over many random levels that are changed, with what was before kept or not.
+/// The flips over many random levels after a change, with or without the previous placement.
 Flips flips_after(void (*change)(Level&, std::uint64_t), bool kept) {
     Flips all;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
@@ -100,7 +101,7 @@ double percent(const Flips& flips) {
     return 100.0 * static_cast<double>(flips.flipped) / static_cast<double>(flips.pairs);
 }
 
-/// With the order before kept; laid out anew they move more. Random levels have more edges than drawn ones.
+/// With the previous order; a new layout moves more. Random levels have more edges than drawn ones.
 TEST(Arrange, SmallEditsMoveLittle) {
     EXPECT_LT(percent(flips_after(lengthen_a_label, true)), 0.5);
     EXPECT_LT(percent(flips_after(add_a_state, true)), 4);
@@ -116,7 +117,7 @@ TEST(Arrange, WhatIsUnchangedStaysWhereItWas) {
     }
 }
 
-/// A chain leads from top to bottom without a bend, a loop is at the right side with its label beside it.
+/// A chain leads from top to bottom without bends; a loop is at the right side with its label next to it.
 TEST(Arrange, AChainIsStraight) {
     Level level;
     level.direction = Direction::down;
@@ -137,8 +138,9 @@ TEST(Arrange, AChainIsStraight) {
     EXPECT_GT(placed.edges[2].label.x, placed.boxes[2].place.right());
 }
 
-/// From a state (1) a junction (2) leads to three states that all lead back: with the state above the junction each of
-/// these has two lines from above, and some cross; below them none do.
+/// State 1 leads to junction 2, and the junction to three states that lead back to state 1. If state 1 is above the
+/// junction, each of the three states has two lines from above, and some lines cross. If state 1 is below them, no
+/// lines cross.
 TEST(Arrange, TurnsOtherLinesRoundWhereThatSparesCrossings) {
     Level level;
     level.boxes.resize(6);
@@ -159,9 +161,9 @@ TEST(Arrange, TurnsOtherLinesRoundWhereThatSparesCrossings) {
     }
 }
 
-/// Two choices from one state (1) whose outcomes all lead back to it, one of three (5) and one of two (6). A state that
-/// is added below the middle of all outcomes (4) would have the lines of two or three others beside it: these would
-/// change places. Above it there is space.
+/// Two junctions with edges from state 1, one with three outcomes (5) and one with two (6); all outcomes lead back to
+/// state 1. If a new state is added below the middle of all outcomes (4), the lines of two or three others pass next to
+/// it, and these states would change their order. Above it there is enough space.
 TEST(Arrange, WhatIsAddedTurnsItsLineRoundWhereTheRestWouldChangeItsOrder) {
     Level level;
     level.boxes.resize(9);
@@ -212,7 +214,7 @@ TEST(Arrange, WhatIsTooLargeIsRefused) {
     EXPECT_THROW((void)arrange(level), layout::TooLarge);
 }
 
-/// As many random levels as ROBOCHART_LEVELS says, larger ones too: to be run by hand.
+/// Random levels, including larger ones; ROBOCHART_LEVELS is their number. To be run by hand.
 TEST(Arrange, ManyRandomLevelsMeetTheCriteria) {
     const char* wanted = std::getenv("ROBOCHART_LEVELS");
     const std::uint64_t count = wanted == nullptr ? 50 : std::strtoull(wanted, nullptr, 10);

@@ -1,4 +1,4 @@
-// Levels as a person drew them: routes between boxes of other sizes, places for text, and what nobody drew.
+// Levels with a drawn layout: routes between boxes with other sizes, places for text, and elements that were not drawn.
 #include "diagrams/layout/drawn.hpp"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// Two boxes beside each other: (0, 0) to (100, 40), and (200, 0) to (300, 40).
+/// Two adjacent boxes: (0, 0) to (100, 40), and (200, 0) to (300, 40).
 const RouteEnd left_box{{0, 0, 100, 40}};
 const RouteEnd right_box{{200, 0, 100, 40}};
 
@@ -34,7 +34,7 @@ TEST(DrawnRoute, LeadsFromBorderToBorder) {
 }
 
 TEST(DrawnRoute, KeepsItsBends) {
-    // Out of the right side, 60 down, and up into the target.
+    // Leaves the source at its right side, goes down by 60, and up into the target.
     const auto edge = drawn({{{50, 10}, {-150, 10}},
                              {{80, 10}, {-120, 10}},
                              {{80, 70}, {-120, 70}},
@@ -44,10 +44,11 @@ TEST(DrawnRoute, KeepsItsBends) {
                 ElementsAre(Point{100, 30}, Point{130, 30}, Point{130, 90}, Point{250, 90}, Point{250, 40}));
 }
 
-/// Between the places that both ends give: near the source those of the source, near the target those of the target.
+/// A route between the positions that both ends determine: near the source it follows the source, near the target the
+/// target.
 TEST(DrawnRoute, FitsBoxesThatHaveMoved) {
     const RouteEnd moved{{200, 12, 100, 40}};
-    // Straight in the drawing; the ends are 12 pixels apart now, and both boxes cover y 20 to 32.
+    // The route was drawn straight. Its ends are now 12 pixels apart, and both boxes cover y 20 to 32.
     const auto line = route_as_drawn(drawn({{{50, 0}, {-150, 0}}, {{150, 0}, {-50, 0}}}), left_box, moved);
     EXPECT_THAT(line, ElementsAre(Point{100, 26}, Point{200, 26}));
     const RouteEnd far{{200, 300, 100, 40}};
@@ -57,7 +58,7 @@ TEST(DrawnRoute, FitsBoxesThatHaveMoved) {
 
 TEST(DrawnRoute, EndsOnCircles) {
     const RouteEnd circle{{200, 8, 24, 24}, RouteEnd::Shape::circle};
-    // Six pixels above its middle: the circle of radius 12 begins 10.39 before its middle there.
+    // Six pixels above the middle, the circle of radius 12 starts 10.39 before its middle.
     const auto line = route_as_drawn(drawn({{{50, -6}, {-112, -6}}, {{162, -6}, {0, -6}}}), left_box, circle);
     ASSERT_EQ(line.size(), 2U);
     EXPECT_EQ(line[1].y, 14);
@@ -76,7 +77,8 @@ TEST(DrawnRoute, MayBeOblique) {
     const RouteEnd below{{200, 100, 100, 40}};
     EXPECT_THAT(route_as_drawn(edge, left_box, below), IsEmpty()) << "with right angles, askew is no route";
     edge.right_angled = false;
-    // From (50, 20) to (250, 120): it leaves the first box below, at y = 40, and meets the second above, at y = 100.
+    // From (50, 20) to (250, 120): the line leaves the first box at its bottom, y = 40, and enters the second at its
+    // top, y = 100.
     EXPECT_THAT(route_as_drawn(edge, left_box, below), ElementsAre(Point{90, 40}, Point{210, 100}));
 }
 
@@ -106,7 +108,7 @@ TEST(FreeSpace, TakesTheFirstPlaceWithNothingOnIt) {
     EXPECT_EQ(space.best(std::span(places).first(2)), places[0]) << "least of all: 25 of a box, 40 of a line";
 }
 
-/// Where a box stands in the way of a route now, there is another route; other boxes and routes stay.
+/// If a box now blocks a route, the route changes; other boxes and routes stay.
 TEST(DrawnLevel, LeadsRoutesAroundBoxes) {
     Level level;
     for (int b = 0; b < 3; ++b) level.boxes.emplace_back().size = {100, 40};
@@ -124,7 +126,7 @@ TEST(DrawnLevel, LeadsRoutesAroundBoxes) {
     EXPECT_EQ(placement.boxes[2].place, (Rectangle{400, 50, 100, 40}));
 }
 
-/// Every number of boxes, ports and edges in and out of the drawing, with whatever was stored of them.
+/// Random drawings: any number of drawn and new boxes, ports and edges, with random stored data.
 DrawnLevel any_drawing(const Level& level, std::uint64_t state) {
     const auto random = [&] { return diagnostics::splitmix64(state); };
     const auto number = [&](double low, double high) {

@@ -1,4 +1,4 @@
-// Places by isotonic regression: what the definition says, and against all places of a grid.
+// Positions by isotonic regression: compared with the definition, and with all positions of a grid.
 #include "diagrams/layout/isotonic.hpp"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,8 @@ TEST(Isotonic, WhatIsInOrderStays) {
     EXPECT_THAT(nearest_places(std::vector<Wish>{{1, 1, 0}, {5, 1, 2}, {9, 1, 2}}), ElementsAre(1, 5, 9));
 }
 
-/// Two that want to be at one place give way by their weights: the mean is where they want to be.
+/// Two boxes with the same desired position move apart in proportion to their weights: the weighted mean is the desired
+/// position.
 TEST(Isotonic, NeighboursGiveWayByTheirWeights) {
     EXPECT_THAT(nearest_places(std::vector<Wish>{{10, 1, 0}, {10, 1, 4}}), ElementsAre(8, 12));
     EXPECT_THAT(nearest_places(std::vector<Wish>{{10, 3, 0}, {10, 1, 4}}), ElementsAre(9, 13));
@@ -35,7 +36,7 @@ double cost(const std::vector<Wish>& wishes, const std::vector<double>& places) 
     return sum;
 }
 
-/// No places on a grid of whole numbers cost less.
+/// No positions on a grid of integers have a lower cost.
 TEST(Isotonic, IsTheCheapest) {
     std::uint64_t state = 1;
     for (int round = 0; round < 200; ++round) {

@@ -1,4 +1,4 @@
-// Levels of every shape, from a seed.
+// Random levels of every shape, from a seed.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@
 
 namespace robochart::diagrams {
 
-/// States, junctions, transitions with and without labels, loops; perhaps in several parts.
+/// States, junctions, transitions with and without labels, and loops, in one or more connected parts.
 [[nodiscard]] layout::Level random_machine(std::uint64_t seed, std::size_t most_boxes);
-/// Components with events on their borders, connections between them and to the border of the whole.
+/// Components with events on their borders, and connections between them and to the border of the enclosing component.
 [[nodiscard]] layout::Level random_components(std::uint64_t seed, std::size_t most_boxes);
 
 }  // namespace robochart::diagrams

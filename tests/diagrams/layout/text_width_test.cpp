@@ -1,4 +1,4 @@
-// Widths of text and breaking of lines.
+// Widths of text and line breaking.
 #include "diagrams/layout/text_width.hpp"
 
 #include <gmock/gmock.h>
@@ -9,7 +9,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-/// DejaVu Sans 2.37: A is 1401 of 2048 units wide, i 569, in bold 1585 and 702 (fonttools prints its table hmtx).
+/// DejaVu Sans 2.37: A is 1401 units wide out of 2048, i 569, in bold 1585 and 702 (fonttools prints its table hmtx).
 TEST(TextWidth, IsTheSumOfTheAdvances) {
     EXPECT_DOUBLE_EQ(text_width("A", 2048), 1401 * font_slack);
     EXPECT_DOUBLE_EQ(text_width("Ai", 2048), (1401 + 569) * font_slack);

@@ -1,4 +1,4 @@
-// The text of diagrams in RoboTool's order and spelling.
+// The texts of diagrams, in RoboTool's order and spelling.
 #include "diagrams/notation/labels.hpp"
 
 #include <gmock/gmock.h>
@@ -37,7 +37,7 @@ TEST(Labels, LeaveSendOut) {
                 ElementsAre("/if x > 1 then o!x else skip end; (o!1) <{2}"));
 }
 
-/// All texts of the diagrams of a model.
+/// All texts in the diagrams of a model.
 std::vector<std::string> texts_of(const std::string& model) {
     std::vector<std::string> texts;
     draw_each({{"m.rct", model}}, [&](const DrawnModel& drawn) {
@@ -62,7 +62,7 @@ TEST(Labels, OfComponentsSayWhatTheyDeclare) {
         EXPECT_THAT(texts, Contains(text));
 }
 
-/// Names that nothing has are drawn all the same.
+/// Unresolved names are drawn by their text.
 TEST(Labels, WhatMeansNothingIsDrawnByItsName) {
     const auto texts = texts_of(
         "stm M { initial i transition t { from i to Nowhere } }\n"

@@ -1,5 +1,5 @@
-// Edits of machines move little where the layout before is remembered: pairs of nodes of real machines that change
-// sides.
+// Edits of machines move little if the previous layout is used: the share of pairs of nodes of real machines whose
+// order changes.
 #include "diagrams/notation/memory.hpp"
 
 #include <gmock/gmock.h>
@@ -23,7 +23,7 @@ using frontend::Machine;
 
 using Edit = void (*)(Machine&);
 
-/// Two more resets on the label of a transition in the middle.
+/// Adds two resets to the label of a transition in the middle.
 void lengthen_a_label(Machine& machine) {
     frontend::Transition& transition = *machine.transitions[machine.transitions.size() / 2];
     frontend::QualifiedName name;
@@ -52,7 +52,7 @@ Scene drawn(const frontend::Model& model, const Subject& subject, Memory& memory
     const Elements elements(model);
     const Picture picture = draw(subject, {elements, &memory, nullptr});
     Scene scene = scene_of(picture);
-    // Names that stay where boxes are added: those of the elements, made different by their parents.
+    // Names that stay the same if boxes are added: those of the elements, qualified by their parents.
     for (std::size_t b = 0; b < scene.boxes.size(); ++b) {
         const std::size_t element = picture.boxes[b].element;
         const std::size_t parent = scene.boxes[b].parent;

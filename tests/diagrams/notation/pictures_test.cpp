@@ -1,4 +1,5 @@
-// Diagrams of every model at hand meet the criteria of scene.hpp; text stays in its box; elements lead to the text.
+// The diagrams of all available models satisfy the criteria of scene.hpp; text stays in its box; elements refer to
+// positions in the text.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ namespace {
 
 using ::testing::IsEmpty;
 
-/// Texts that reach out of their boxes; those of events stand beside their squares.
+/// Texts that exceed their boxes. Texts of events are next to their squares and do not count.
 std::vector<std::string> texts_outside(const Picture& picture) {
     std::vector<std::string> outside;
     for (const PictureBox& box : picture.boxes)
@@ -59,7 +60,7 @@ TEST(Pictures, OfPublicModelsMeetTheCriteria) {
                                  crossed.insert(std::filesystem::path(file).filename().string());
                          }),
               100U);
-    // The machine of the chemical detector as it is drawn for RoboSim: three of its edges cross.
+    // The machine of the chemical detector as drawn for RoboSim: three of its edges cross.
     crossed.erase("Movement.rct");
     EXPECT_THAT(crossed, IsEmpty());
 }
@@ -69,13 +70,13 @@ TEST(Pictures, OfRandomModelsMeetTheCriteria) {
         draw_each(random_models::well_formed(seed), expect_good);
 }
 
-/// Any syntax tree, whatever its names mean.
+/// Arbitrary syntax trees, with names that have no meaning.
 TEST(Pictures, OfAnySyntaxMeetTheCriteria) {
     for (std::uint64_t seed = 1; seed <= tests::rounds(120); ++seed)
         draw_each({{"any.rct", frontend::to_text(*random_models::any_syntax(seed, 6))}}, expect_good);
 }
 
-/// Text as it is while somebody types.
+/// Incomplete text, as while somebody types.
 TEST(Pictures, OfBrokenTextMeetTheCriteria) {
     for (std::uint64_t seed = 1; seed <= tests::rounds(6); ++seed) {
         random_models::Project project = random_models::well_formed(seed);

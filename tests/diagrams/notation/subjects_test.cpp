@@ -1,4 +1,4 @@
-// What of a model has a diagram, and how its file is called.
+// The elements of a model that have a diagram, and the names of the files.
 #include "diagrams/notation/subjects.hpp"
 
 #include <gmock/gmock.h>
@@ -31,7 +31,7 @@ TEST(Subjects, AreComponentsAndPackages) {
                             Pair("p::M", "M"), Pair("p::M::P", "P"), Pair("p", "p_types")));
 }
 
-/// Also where a file system takes upper for lower case.
+/// The names differ even on file systems that ignore case.
 TEST(Subjects, HaveFilesOfTheirOwn) {
     EXPECT_THAT(names_of({{"a.rct", "package p\nstm S { initial i }\nstm T { initial i }\n"},
                           {"b.rct", "package q\nstm s { initial i }\n"}}),

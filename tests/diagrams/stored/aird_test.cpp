@@ -1,4 +1,4 @@
-// Files of RoboTool as data, and files that are none.
+// RoboTool's files as data, and invalid files.
 #include "diagrams/stored/aird.hpp"
 
 #include <gmock/gmock.h>
@@ -52,7 +52,7 @@ TEST(Aird, HasElementsShapesAndLines) {
     EXPECT_TRUE(route.right_angled);
 }
 
-/// Old files have `xsi:type`, and other elements of Sirius between.
+/// Old files have `xsi:type`, and other elements of Sirius in between.
 TEST(Aird, KnowsOldFiles) {
     const Aird aird = read_aird(
         "<x:XMI xmlns:x=\"x\" xmlns:xsi=\"i\"><d:DSemanticDiagram xmlns:d=\"d\" xmi:id=\"q\" xmlns:xmi=\"m\">"
@@ -144,7 +144,7 @@ TEST(Aird, ReadingPollsTheBudget) {
     EXPECT_THROW((void)read_aird(aird_text(""), &budget), diagnostics::LimitReached);
 }
 
-/// Ids that mean themselves, each other or nothing: they are only names.
+/// Ids that refer to themselves, to each other or to nothing are only treated as names.
 TEST(Aird, FollowsNoIds) {
     const Aird aird = read_aird(aird_text(
         aird_diagram(line_element("a", "a", "#a", "a", "b", "a") + line_element("b", "b", "#b", "b", "a", "b"),

@@ -1,5 +1,5 @@
-// Components drawn as a person did in RoboTool. The coordinates follow from the form of the files (docs/diagrams.md):
-// places of nodes are within their area, whose border is 5 pixels away, and ends of lines are given from anchors.
+// Components with a layout that was drawn in RoboTool. The coordinates follow from the file format (docs/diagrams.md):
+// places of nodes are relative to their area, whose border is 5 pixels away, and ends of lines are relative to anchors.
 #include "diagrams/stored/stored_diagrams.hpp"
 
 #include <fmt/format.h>
@@ -27,13 +27,13 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-/// Pictures are moved to their margins, by widths of text: sums are not exact.
+/// Pictures are shifted to their margins by widths of text, so sums are not exact.
 MATCHER_P(IsNear, point, "") {
     *result_listener << arg.x << ", " << arg.y;
     return std::abs(arg.x - point.x) < 0.001 && std::abs(arg.y - point.y) < 0.001;
 }
 
-/// A model, and a file of diagrams beside it.
+/// A model with a file of diagrams next to it.
 class Stored {
 public:
     Stored(const std::string& model, const std::string& aird)
@@ -61,7 +61,7 @@ public:
         ADD_FAILURE() << "no component " << name;
         return {};
     }
-    /// The codes and texts of what is said of a component.
+    /// The codes and messages of the findings about a component.
     [[nodiscard]] std::vector<std::string> said(const std::string& name) const {
         diagnostics::Diagnostics out;
         diagrams_.explain(component(name), out);
@@ -126,7 +126,7 @@ std::string state_shape(const std::string& id, const std::string& bounds, const 
     return shape(3008, id, bounds, container(areas));
 }
 
-/// An area of actions of 20 pixels with one of nodes below.
+/// An area of 20 pixels for actions, and below it an area for nodes.
 std::string areas(const std::string& id, int width, int height, const std::string& inner = "") {
     return shape(3009, id + "a", fmt::format("width=\"{}\" height=\"20\"", width)) +
            shape(3008, id + "n", fmt::format("y=\"20\" width=\"{}\" height=\"{}\"", width, height),
@@ -156,7 +156,7 @@ std::string patrol_aird() {
     return aird_text(aird_diagram(patrol_elements(), patrol_shapes(), patrol_lines()));
 }
 
-/// Without one piece of text, which has to be there.
+/// The text without one piece, which must exist.
 std::string without(std::string text, const std::string& piece, const std::string& other = "") {
     const std::size_t at = text.find(piece);
     EXPECT_NE(at, std::string::npos) << piece;
@@ -220,11 +220,12 @@ TEST(StoredDiagrams, GiveLinesTheirRoutes) {
     const double x = avoiding.centre().x + 20;
     EXPECT_THAT(t1.points,
                 ElementsAre(Point{going.right(), going.centre().y}, Point{x, going.centre().y}, Point{x, avoiding.y}));
-    // 300 to the right and 190 down from corner to corner, half the sizes more: (320, 220) from middle to middle.
+    // From corner to corner 300 to the right and 190 down; with half of the sizes added, (320, 220) from middle to
+    // middle.
     EXPECT_NEAR(x - going.centre().x, 340, 0.001);
 }
 
-/// What has no stored route gets one from border to border.
+/// An edge without a stored route gets a new one from border to border.
 TEST(StoredDiagrams, LeaveRoutesThatAreNotStoredToUs) {
     const Stored model(patrol, patrol_aird());
     const Picture picture = model.draw("Patrol");
@@ -240,7 +241,8 @@ TEST(StoredDiagrams, LeaveRoutesThatAreNotStoredToUs) {
     EXPECT_TRUE(on_border(t2.points.back(), model.box(picture, "Going").place));
 }
 
-/// Its middle is 7 pixels outside; ours is on the border. What is below the rows moves with them.
+/// The middle of the stored port is 7 pixels outside; ours is on the border. Elements below the rows move down with the
+/// rows.
 TEST(StoredDiagrams, PutSquaresOnTheirSide) {
     const Stored model(patrol, patrol_aird());
     const Picture picture = model.draw("Patrol");
@@ -248,7 +250,7 @@ TEST(StoredDiagrams, PutSquaresOnTheirSide) {
     const PictureBox& square = model.box(picture, "obstacle");
     EXPECT_EQ(square.event_of, 0U);
     EXPECT_NEAR(square.place.centre().x, frame.place.x, 0.001);
-    const double inside = frame.rules.back() - frame.place.y;  // theirs begins after title and rows: 28 + 60
+    const double inside = frame.rules.back() - frame.place.y;  // the stored area starts after title and rows: 28 + 60
     EXPECT_NEAR(square.place.centre().y - frame.place.y, 165 - 88 + inside, 0.001);
     EXPECT_LT(square.texts[0].at.y, square.place.centre().y) << "its label was above it";
 }
@@ -263,7 +265,7 @@ TEST(StoredDiagrams, LeaveWhatIsOfAutomaticSizeToOurMetrics) {
     EXPECT_NEAR(model.box(picture, "Going").place.height, 46, 0.001) << "title 24, line 14, space 8";
 }
 
-/// What needs more space than it had pushes what stands below it.
+/// An element that needs more space than in the drawing moves the elements below it.
 TEST(StoredDiagrams, MakeSpaceForText) {
     const std::string aird = without(patrol_aird(), "y=\"20\" width=\"160\" height=\"60\"",
                                      "y=\"0\" width=\"160\" height=\"2\"");  // 30 high
@@ -282,7 +284,7 @@ TEST(StoredDiagrams, HiddenTitlesTakeNoSpace) {
 
 // ---------------------------------------------------------------- which diagrams are used
 
-/// A machine with states A0 to A19 in a row, and a diagram of it.
+/// A machine with states A0 to A19 in a row, and its diagram.
 std::string row_of_states(int count) {
     std::string text = "stm S {\n initial A0\n";
     for (int i = 1; i < count; ++i) text += fmt::format(" state A{} {{ }}\n", i);
@@ -318,7 +320,7 @@ TEST(StoredDiagrams, AreUsedFromNinetyFivePercentOn) {
     EXPECT_EQ(corner(little.box(drawn, "A3")), corner(none_at_all.box(own, "A3"))) << "laid out as without it";
 }
 
-/// A line counts where it has the ends that it has in the model.
+/// A stored line is used only if it has the same ends as in the model.
 TEST(StoredDiagrams, CompareTheEndsOfLines) {
     for (const char* other :
          {"sourceNode=\"start\" targetNode=\"avoiding\"", "sourceNode=\"going\" targetNode=\"going\""}) {
@@ -328,7 +330,7 @@ TEST(StoredDiagrams, CompareTheEndsOfLines) {
     }
 }
 
-/// Of lines with the same ends, those with their labels.
+/// Lines with the same ends are matched by their labels.
 TEST(StoredDiagrams, TellLinesApartByTheirLabels) {
     const auto lost = [](const std::string& id, const std::string& label) {
         return line_element(id, label, of_machine("/@transitions.9"), "TransitionID", "a", "b");
@@ -350,7 +352,7 @@ TEST(StoredDiagrams, TellLinesApartByTheirLabels) {
     EXPECT_NEAR(model.line(picture, "te").points.front().y, middle + 20, 0.001);
 }
 
-/// As RoboTool makes it before anybody has moved anything.
+/// The initial layout that RoboTool generates before a user moves an element.
 TEST(StoredDiagrams, ThatNobodyDrewAreNotUsed) {
     std::string aird = row_aird(20, 0);
     for (int i = 1; i < 20; ++i) aird = without(aird, fmt::format("x=\"{}\" y=\"9\"", i * 100));
@@ -361,7 +363,7 @@ TEST(StoredDiagrams, ThatNobodyDrewAreNotUsed) {
     EXPECT_THAT(model.said("S"), IsEmpty());
 }
 
-/// A declaration in front of others changes the numbers in all references.
+/// A declaration inserted before others changes the numbers in all references.
 TEST(StoredDiagrams, FindDeclarationsThatHaveMoved) {
     const std::string moved = without(without(patrol, " initial start\n", " state New { }\n initial start\n"),
                                       " transition t0", " transition t4 { from New to Going }\n transition t0");
@@ -377,7 +379,7 @@ TEST(StoredDiagrams, FindDeclarationsThatHaveMoved) {
     EXPECT_GE(model.line(picture, "t4").points.size(), 2U);
 }
 
-/// Shapes that a person has hidden are drawn as new ones.
+/// Shapes that a user has hidden are treated as new elements.
 TEST(StoredDiagrams, DoNotCountWhatIsHidden) {
     const Stored model(row_of_states(20), without(row_aird(20, 0), "type=\"3008\" element=\"s7\"",
                                                   "type=\"3008\" visible=\"false\" element=\"s7\""));
@@ -395,7 +397,7 @@ TEST(StoredDiagrams, NameAFileOnlyByItsLastPart) {
     }
 }
 
-/// Of several files of one name the one beside the diagrams is meant.
+/// If several files have the same name, the one next to the diagrams is used.
 TEST(StoredDiagrams, PreferTheFileBesideThem) {
     const Stored model(random_models::Project{{"a/a.rct", "package q\nstm S { initial B }\n"},
                                               {"p/a.rct", "package p\n" + row_of_states(20)}},
@@ -478,14 +480,14 @@ TEST(StoredDiagrams, PlacePartsAndTheirSquares) {
     EXPECT_NEAR(own.place.centre().y - frame.place.y, 73 - 28 + 26, 0.001) << "below the title, ours is 2 pixels lower";
 }
 
-/// An event that the diagram lacks is put on the right side.
+/// An event that is missing in the diagram is placed on the right side.
 TEST(StoredDiagrams, PlaceNewSquares) {
     const Stored model(controller, controller_aird());
     const Picture picture = model.draw("C");
     EXPECT_NEAR(model.box(picture, "out").place.centre().x, picture.boxes.front().place.right(), 0.001);
 }
 
-/// A machine in place is drawn with its nodes, as RoboTool does.
+/// A machine that is defined in place is drawn with its nodes, as in RoboTool.
 TEST(StoredDiagrams, OpenMachinesInPlace) {
     const Stored model(controller, controller_aird());
     const Picture picture = model.draw("C");
@@ -524,7 +526,7 @@ TEST(StoredDiagrams, OfTheSameTextAreTheSame) {
     }
 }
 
-/// Whatever happens to a file: what can still be read is drawn.
+/// After any damage to a file, its readable parts are drawn.
 TEST(StoredDiagrams, StandChangesOfAnyPart) {
     const std::string whole = controller_aird();
     std::uint64_t state = 1;
@@ -559,14 +561,14 @@ protected:
     void write(const std::string& path, const std::string& text) const {
         std::ofstream(folder_ / path, std::ios::binary) << text;
     }
-    /// What is said, of a model in the folders `models` and `.`.
+    /// The findings for a model in the folders `models` and `.`.
     [[nodiscard]] std::vector<std::string> read() {
         loaded_ = random_models::load({{(folder_ / "models/a.rct").string(), row_of_states(20)},
                                        {(folder_ / "b.rct").string(), "stm T { initial i }\n"}});
         diagnostics::Diagnostics out;
         diagrams_ = {};
         diagrams_.read(loaded_->model, loaded_->sources, out);
-        diagrams_.read(loaded_->model, loaded_->sources, out);  // nothing is said twice
+        diagrams_.read(loaded_->model, loaded_->sources, out);  // no finding is repeated
         std::vector<std::string> result;
         for (const diagnostics::Diagnostic& each : out.sorted())
             result.push_back(

@@ -1,4 +1,4 @@
-// SVG of every model at hand is well-formed, with ids that are unique; hostile text stays text.
+// The SVG of all available models is well-formed, with unique ids; malicious text stays text.
 #include "diagrams/svg/svg.hpp"
 
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Python's reader of XML has no objection to any of the texts.
+/// Parses the texts with Python's XML parser.
 void expect_well_formed(const std::vector<std::string>& texts) {
     std::string error;
     const diagnostics::TemporaryFolder folder("", error);
@@ -80,7 +80,7 @@ TEST(Svg, HostileTextStaysText) {
         EXPECT_THAT(text, Not(HasSubstr("]]>")));
         if (python_is_there()) expect_well_formed({text});
     }
-    // What turns the direction of text, and has no width, is shown.
+    // Characters that change the text direction, and characters of zero width, are made visible.
     EXPECT_THAT(svg_with("a\xE2\x80\xAE"
                          "b"),
                 HasSubstr("\\u202e"));

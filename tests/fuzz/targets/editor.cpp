@@ -1,5 +1,5 @@
-// The language server under any input: a session with an editor that asks and types at random, and any bytes on its
-// stream.
+// The language server with any input: a session with an editor that types and sends requests at random, and arbitrary
+// bytes on its stream.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -17,7 +17,7 @@ namespace {
 
 using lsp::Json;
 
-/// One project, and scripts in CSPM beside it; nothing of them is on disk.
+/// One project with CSPM scripts; none of the files exists on disk.
 constexpr std::array<std::string_view, 5> uris = {"file:///fuzzed/a.rct", "file:///fuzzed/b.rct",
                                                   "file:///fuzzed/c.assertions", "file:///fuzzed/d.csp",
                                                   "file:///fuzzed/e.csp"};
@@ -50,7 +50,7 @@ constexpr std::array<std::string_view, 22> methods = {"textDocument/codeAction",
 constexpr std::array<std::string_view, 8> pieces = {"",        "}",        "\n", "x",
                                                     "stm X {", "\xC3\xA9", "/*", "\xF0\x9F\x98\x80"};
 
-/// An editor with a project. Notes the first promise that the server breaks.
+/// An editor with a project. Records the first property that the server violates.
 class Editor {
 public:
     explicit Editor(const Texts& texts) : server_([this](const std::string& message) { sent(message); }) {
@@ -87,7 +87,7 @@ public:
     }
 
     [[nodiscard]] const std::string& complaint() const { return complaint_; }
-    /// The diagnostics shown last, of all files.
+    /// The latest diagnostics of all files.
     [[nodiscard]] std::string shown() const {
         std::string all;
         for (const auto& [uri, list] : shown_)
@@ -135,7 +135,7 @@ private:
     lsp::Server server_;
 };
 
-/// JSON carries text alone; other bytes become question marks.
+/// JSON contains only text; other bytes become question marks.
 std::string as_text(std::string_view bytes) {
     std::string text(bytes);
     for (char& c : text)
@@ -147,13 +147,13 @@ bool is_plain(const std::string& text, std::size_t place) {
     return place < text.size() && static_cast<unsigned char>(text[place]) < 0x80U;
 }
 
-/// The place, or the begin of the UTF-8 character that it stands in.
+/// The start of the UTF-8 character at this position.
 std::size_t character_begin(const std::string& text, std::size_t place) {
     while (place < text.size() && (static_cast<unsigned char>(text[place]) & 0xC0U) == 0x80U) --place;
     return place;
 }
 
-/// The texts of the files, from the first on; there may be fewer.
+/// The texts of the files, in order; there may be fewer than files.
 Texts divided(const std::string& text) {
     Texts texts;
     std::size_t begin = 0;
@@ -166,7 +166,7 @@ Texts divided(const std::string& text) {
     return texts;
 }
 
-/// What lies on the disk is no part of the input.
+/// Files on disk are not part of the input, so it must not name any.
 bool may_name_files(std::string_view bytes) {
     constexpr std::array<std::string_view, 7> signs = {"file:", "root", "Folders\":[", "added", "\"/", "\\/", "\\u002"};
     return std::any_of(signs.begin(), signs.end(),
@@ -175,7 +175,8 @@ bool may_name_files(std::string_view bytes) {
 
 }  // namespace
 
-/// The first line says what is done, three bytes a step; the rest are the documents, divided by form feeds.
+/// The first line contains the actions, three bytes per step. The other lines are the documents, separated by form
+/// feeds.
 std::string run_editor(std::string_view bytes) {
     constexpr std::size_t most_steps = 24;
     const std::size_t end = std::min(bytes.find('\n'), bytes.size());
@@ -202,7 +203,7 @@ std::string run_editor(std::string_view bytes) {
                : "diagnostics depend on how the text was typed:\n" + editor.shown() + "/\n" + fresh.shown();
 }
 
-/// Every message and every fault of the stream is taken; the server ends with the stream.
+/// The server handles every message and every error of the stream, and ends with the stream.
 std::string run_stream(std::string_view bytes) {
     if (may_name_files(bytes)) return {};
     std::istringstream in{std::string(bytes)};

@@ -14,7 +14,7 @@ bool in_range(const diagnostics::SourceManager& sources, const diagnostics::Span
 
 bool all_in_range(const diagnostics::SourceManager& sources, const diagnostics::Diagnostic& finding) {
     for (const diagnostics::Note& note : finding.notes)
-        if (note.span.known() && !in_range(sources, note.span)) return false;  // a note may stand without a place
+        if (note.span.known() && !in_range(sources, note.span)) return false;  // a note may have no place
     for (const diagnostics::FixIt& fix : finding.fixes)
         if (!in_range(sources, fix.span)) return false;
     return in_range(sources, finding.span);

@@ -1,4 +1,4 @@
-// What every finding promises, whatever the text.
+// Properties of findings that hold for every text.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace robochart::fuzz {
 
-/// Draws all findings, as text and as JSON, and looks at their places. Returns the first broken promise, "" if none.
+/// Prints all findings as text and as JSON, and checks their places. Returns the first violated property, "" if there
+/// is none.
 [[nodiscard]] std::string check_findings(const diagnostics::SourceManager& sources,
                                          const diagnostics::Diagnostics& findings);
 

@@ -1,4 +1,4 @@
-// RoboChart text under any input: all of the front end, then its promises about printing.
+// RoboChart's front end with any input, then the properties of the printer.
 #include <memory>
 
 #include "frontend/format/format.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 using namespace frontend;
 
-/// A text that was read alone.
+/// The result of parsing a text alone.
 struct Reading {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;
@@ -33,7 +33,7 @@ std::string dumped(const Reading& reading, std::unique_ptr<File> file) {
     return dump(model, reading.sources, false);
 }
 
-/// What is printed reads back as the same tree and prints the same.
+/// Printed text parses to the same tree and prints the same again.
 std::string check_printing(const File& file, const std::string& tree) {
     const std::string text = to_text(file);
     if (file.has_syntax_errors) return {};
@@ -45,7 +45,7 @@ std::string check_printing(const File& file, const std::string& tree) {
     return second == tree ? "" : "a printed file is read back as another:\n" + tree + "\n/\n" + second;
 }
 
-/// Formatting keeps the words, and formatting again changes nothing.
+/// Formatting keeps the words and is idempotent.
 std::string check_formatting(std::string_view text, bool is_assertions) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;
@@ -57,7 +57,7 @@ std::string check_formatting(std::string_view text, bool is_assertions) {
     return *second == *first ? "" : "formatting again changes a text:\n" + *first + "\n/\n" + *second;
 }
 
-/// Names, types and rules, with the toolkits that are imported.
+/// Checks names, types and rules, with the imported toolkits.
 std::string check_meaning(Reading& reading, std::string_view beside) {
     Model model;
     model.files.push_back(std::move(reading.file));
@@ -82,7 +82,7 @@ std::string run(std::string_view bytes, bool is_assertions, std::string_view bes
     return complaint;
 }
 
-/// Names for assertions to speak of.
+/// A model with names for assertions.
 constexpr std::string_view model_beside = R"(package m
 interface I { event e event v: nat }
 interface O { const c: nat move(p: nat) }

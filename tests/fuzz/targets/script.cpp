@@ -1,4 +1,4 @@
-// CSPM text under any input: what was read is printed, read back and equal.
+// CSPM scripts with any input: a parsed script is printed and parsed again, and must be equal.
 #include "checker/cspm/syntax/reader.hpp"
 #include "tests/fuzz/targets/findings.hpp"
 #include "tests/fuzz/targets/targets.hpp"

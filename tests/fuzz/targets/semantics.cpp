@@ -1,5 +1,6 @@
-// RoboChart text behind the front end: what has no errors is lowered, made finite, written as CSP in both times and
-// type checked, its obligations and built-in checks decided within small limits, and its components written as C++.
+// The components after the front end with any input. A model without errors is lowered, instantiated, written as CSP in
+// both times and type checked. Its obligations and core properties are decided with small limits, and its components
+// are generated as C++.
 #include <chrono>
 #include <exception>
 #include <new>
@@ -32,10 +33,10 @@ refine::Limits small_limits() {
     return limits;
 }
 
-/// The phases, one after another, until one refuses the model.
+/// The phases in order, until one rejects the model.
 class Phases {
 public:
-    /// The first promise that is broken; "" if none is.
+    /// The first violated property; "" if there is none.
     std::string run(std::string_view bytes) {
         findings_.within(&budget_);
         read(bytes);
@@ -53,7 +54,7 @@ public:
     }
 
 private:
-    /// Files are divided by form feeds; those of assertions begin with `!`.
+    /// Files are separated by form feeds; assertion files start with `!`.
     void read(std::string_view bytes) {
         for (std::size_t begin = 0, file = 0; begin <= bytes.size(); ++file) {
             const std::size_t end = std::min(bytes.find('\f', begin), bytes.size());
@@ -67,7 +68,7 @@ private:
         }
     }
 
-    /// What is refused is refused by name.
+    /// A rejection must name its rule.
     std::string refusal() {
         if (findings_.errors() == 0) return "a model is refused and no error says why";
         return check_findings(sources_, findings_);
@@ -91,7 +92,7 @@ private:
         return text;
     }
 
-    /// Any answer will do, and a script that cannot be evaluated may say so.
+    /// Every answer is acceptable, including an evaluation error of the script.
     static std::string decide(const csp_emit::Emission& emission) {
         constexpr std::size_t most = 12;
         std::size_t decided = 0;

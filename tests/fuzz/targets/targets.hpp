@@ -1,5 +1,5 @@
-// What the fuzzers try: any bytes go in, and nothing may crash, hang or break a promise of the headers.
-// The same functions run on the kept inputs of tests/fuzz/regressions as ordinary tests.
+// The targets of the fuzzers: they accept any bytes, and must not crash, hang or violate a property that the headers
+// state. The same functions run as ordinary tests on the stored inputs of tests/fuzz/regressions.
 #pragma once
 
 #include <span>
@@ -8,23 +8,23 @@
 
 namespace robochart::fuzz {
 
-/// A part of the program under any input.
+/// A part of the program that accepts any input.
 struct Target {
     std::string_view name;  ///< also the folder of its regressions
-    /// Runs the part. Returns the promise that was broken in words, "" if none was.
+    /// Runs the part. Returns the violated property in words, "" if there is none.
     std::string (*run)(std::string_view bytes);
 };
 
-/// Model text: read, resolved, checked, printed, dumped; every finding drawn.
+/// Model text: parsed, resolved, checked, printed, dumped; all findings are printed.
 [[nodiscard]] std::string run_model(std::string_view bytes);
-/// Assertion text beside a fixed model.
+/// Assertion text next to a fixed model.
 [[nodiscard]] std::string run_assertions(std::string_view bytes);
-/// A CSPM script: read, printed, read again.
+/// A CSPM script: parsed, printed, parsed again.
 [[nodiscard]] std::string run_script(std::string_view bytes);
-/// Model text through all that is behind the front end, within small limits: files divided by form feeds, those of
-/// assertions after a `!`.
+/// Model text through all components after the front end, with small limits. Files are separated by form feeds;
+/// assertion files start with `!`.
 [[nodiscard]] std::string run_semantics(std::string_view bytes);
-/// A session with the language server: the first line says what is asked and typed, the rest is the document.
+/// A session with the language server: the first line contains requests and changes, the rest is the document.
 [[nodiscard]] std::string run_editor(std::string_view bytes);
 /// The language server's input stream.
 [[nodiscard]] std::string run_stream(std::string_view bytes);

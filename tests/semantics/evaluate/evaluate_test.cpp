@@ -83,22 +83,24 @@ TEST_F(Evaluate, RealsAreUnitsOfTheScale) {
     EXPECT_EQ(number(decimal(-7, 1)), -7);
     EXPECT_EQ(number(decimal(2, 0)), 20);
     EXPECT_EQ(number(ExprKind::plus, types.real, decimal(1, 1), decimal(1, 1)), 2);     // 0.1 + 0.1 = 0.2
-    EXPECT_EQ(number(ExprKind::plus, types.real, decimal(2, 1), decimal(1, 1)), 2);     // 0.3 is no value: 0.2 stays
+    EXPECT_EQ(number(ExprKind::plus, types.real, decimal(2, 1), decimal(1, 1)), 2);     // 0.3 is not in the carrier, so
+                                                                                        // the result is 0.2
     EXPECT_EQ(number(ExprKind::times, types.real, decimal(2, 0), decimal(1, 1)), 2);    // 2 * 0.1
     EXPECT_EQ(number(ExprKind::divide, types.real, decimal(2, 1), decimal(2, 0)), 1);   // 0.2 / 2
     EXPECT_EQ(number(ExprKind::divide, types.real, decimal(2, 0), decimal(1, 0)), 20);  // 2 / 1
 }
 
 TEST_F(Evaluate, RealResultsRoundDownToAUnit) {
-    // 0.1 * 0.2 = 0.02, rounded down 0; -0.7 * 0.1 = -0.07, rounded down -0.1, no value here: -0.7 stays.
+    // 0.1 * 0.2 = 0.02, rounded down to 0; -0.7 * 0.1 = -0.07, rounded down to -0.1, which is not in the carrier, so
+    // the result is -0.7.
     EXPECT_EQ(number(ExprKind::times, types.real, decimal(1, 1), decimal(2, 1)), 0);
     EXPECT_EQ(number(ExprKind::times, types.real, decimal(-7, 1), decimal(1, 1)), -7);
     inst_.real.insert(inst_.real.begin() + 3, -1);
     EXPECT_EQ(number(ExprKind::times, types.real, decimal(-7, 1), decimal(1, 1)), -1);
 }
 
-/// The greatest q with q * divisor <= dividend (divisor > 0), found by search: an oracle that shares nothing with the
-/// code.
+/// The greatest q with q * divisor <= dividend (divisor > 0), found by search: an oracle that shares no code with the
+/// implementation.
 std::int64_t greatest_below(std::int64_t dividend, std::int64_t divisor) {
     std::int64_t q = 0;
     while (q * divisor > dividend) --q;

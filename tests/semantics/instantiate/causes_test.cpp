@@ -1,4 +1,4 @@
-// What makes a model too large, too short or undefined, in the model's own terms.
+// The reasons why a model is too large, too short or undefined, in terms of the model.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

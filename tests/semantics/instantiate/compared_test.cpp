@@ -1,4 +1,4 @@
-// Each comparison has either answer: carriers reach beyond what their values are compared with.
+// Every comparison can be true and false: carriers extend beyond the values that are compared.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 using Numbers = std::vector<std::int64_t>;
 
-/// For a machine with these declarations and this guard of a transition.
+/// The instantiation for a machine with these declarations and this guard.
 Instantiation of_guard(const std::string& guard, const InstantiationOptions& options = {},
                        const std::string& declarations = "", const std::string& assertions = "") {
     const auto lowered = samples::lower_text(

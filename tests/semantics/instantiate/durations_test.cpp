@@ -1,4 +1,4 @@
-// Constants that are durations widen no carrier.
+// Constants that are only durations do not extend a carrier.
 #include <gtest/gtest.h>
 
 #include "semantics/instantiate/instantiate.hpp"

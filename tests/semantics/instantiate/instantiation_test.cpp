@@ -20,7 +20,7 @@ namespace {
 using namespace samples;
 using diagnostics::Diagnostics;
 
-/// A system with one machine `S` of package P whose only transition has this guard.
+/// A system with one machine `S` of package P, whose only transition has this guard.
 System with_guard(ExprPtr guard) {
     System system = core_system();
     Machine machine;
@@ -86,7 +86,7 @@ TEST(Instantiate, RealLiteralsWidenRealOnly) {
 TEST(Instantiate, AggregationHasScaleOneHundredAndItsSpeeds) {
     const auto inst = instantiate_quietly(aggregation());
     EXPECT_EQ(inst.scale, 100);
-    // Whole numbers within -10.88..2 and the decimals -10.88, -5.02, -0.75.
+    // Integers within -10.88..2 and the decimals -10.88, -5.02, -0.75.
     EXPECT_EQ(inst.real,
               (Numbers{-1088, -1000, -900, -800, -700, -600, -502, -500, -400, -300, -200, -100, -75, 0, 100, 200}));
     EXPECT_EQ(inst.nat, (Numbers{0, 1, 2}));
@@ -136,8 +136,8 @@ TEST(Instantiate, ClockSaturationLooksIntoCalledOperations) {
     EXPECT_EQ(inst.clock_bound, 10);
 }
 
-/// Machine P::S with constants c (nat, no value) and d (real, 0.5); controller P::K that runs it as `ref` and provides
-/// r.
+/// Machine P::S with constants c (nat, without a value) and d (real, 0.5); controller P::K references it as `ref` and
+/// provides r.
 System with_constants() {
     System system = with_guard(truth(true));
     auto& machine = system.machines[0];
@@ -202,7 +202,7 @@ TEST(Instantiate, WrongConstantOptionsAreReported) {
     EXPECT_EQ(codes(with_constants(), {{{"d", "99999999999999999999"}}, {}}), Codes{"RC-S11"});
 }
 
-/// "S::c" is no other constant than "c": which value is meant cannot be known, in whatever order the names stand.
+/// "S::c" and "c" name the same constant. Two values are contradictory in either order, so they are rejected.
 TEST(Instantiate, TwoNamesOfOneConstantAreRefused) {
     EXPECT_EQ(codes(with_constants(), {{{"c", "1"}, {"S::c", "2"}}, {}}), Codes{"RC-S24"});
     EXPECT_EQ(codes(with_constants(), {{{"S::c", "1"}, {"P::S::c", "2"}}, {}}), Codes{"RC-S24"});
@@ -216,10 +216,10 @@ TEST(Instantiate, StrongerNamesOverrideHoweverTheyAreSpelled) {
     EXPECT_EQ(not_overridden(system, {{"S::c", "1"}, {"d", "2"}}, {{"c", "3"}}), (GivenConstants{{"d", "2"}}));
     EXPECT_EQ(not_overridden(system, {{"P::S::d", "2"}}, {{"d", "3"}}), GivenConstants{});
     EXPECT_EQ(not_overridden(system, {{"d", "2"}}, {{"P::S::d", "3"}, {"ref::d", "3"}}), GivenConstants{});
-    // The machine's own constant is that of its parts.
+    // The machine's own constant is also that of its instances.
     EXPECT_EQ(not_overridden(system, {{"ref::c", "1"}}, {{"S::c", "3"}}), GivenConstants{});
     EXPECT_EQ(not_overridden(system, {{"S::c", "1"}}, {{"ref::c", "3"}}), (GivenConstants{{"S::c", "1"}}));
-    // Of all constants of the name one is left: both names together are refused.
+    // One of the constants called `c` is not overridden, so `c` is kept. (Both names together are then rejected.)
     EXPECT_EQ(not_overridden(system, {{"c", "1"}}, {{"ref::c", "3"}}), (GivenConstants{{"c", "1"}}));
     EXPECT_EQ(not_overridden(system, {{"c", "1"}}, {{"P::S::c", "3"}}), GivenConstants{}) << "and so that of the part";
     EXPECT_EQ(not_overridden(system, {{"none", "1"}}, {{"c", "3"}}), (GivenConstants{{"none", "1"}}))
@@ -276,7 +276,8 @@ TEST(Instantiate, NumbersTooLargeForTheScaleAreReported) {
               (Codes{"RC-S15", "RC-S15", "RC-S15"}));
 }
 
-/// The number that makes a type large is shown where the model has it; what an option makes large has no place.
+/// The message shows the number that makes a type large, with its place in the model. If an option causes it, there is
+/// no place.
 TEST(Instantiate, ATypeThatIsTooLargeNamesTheNumber) {
     const auto lowered = samples::lower_text(
         samples::machine_text("event e:nat var n:nat transition t { from A to A trigger e?n condition n < 4000000 }"));

@@ -1,5 +1,5 @@
-// What the untimed semantics keeps of a condition is what is true for some values of the clocks: no less, so that no
-// run is lost, and where each clock is read once, no more.
+// The untimed semantics weakens a condition so that it is true if the condition is true for some values of the clocks.
+// So no run is lost. If each clock is read only once, the result is exact.
 #include "semantics/ir/untimed_guards.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ ExprPtr variable(std::uint32_t number) {
     return std::make_shared<const Expr>(std::move(result));
 }
 
-/// since(C) >= 1, of the clock of this number.
+/// since(C) >= 1 for the clock with this number.
 ExprPtr late(std::uint32_t clock) {
     Expr since;
     since.kind = ExprKind::since;
@@ -39,7 +39,7 @@ ExprPtr late(std::uint32_t clock) {
 constexpr std::size_t variables = 2;
 using Values = std::array<bool, variables>;
 
-/// `clocks`: bit n is whether it is late by clock n.
+/// `clocks`: bit n is the value of the comparison with clock n.
 bool value(const ExprPtr& expr, const Values& values, std::uint32_t clocks) {
     const auto part = [&](std::size_t number) { return value(expr->args[number], values, clocks); };
     switch (expr->kind) {
@@ -67,7 +67,7 @@ bool value(const ExprPtr& expr, const Values& values, std::uint32_t clocks) {
     }
 }
 
-/// Conditions in which each comparison with a clock is with one of its own.
+/// Random conditions in which each comparison reads a different clock.
 class RandomConditions {
 public:
     explicit RandomConditions(std::uint64_t seed) : random_(seed) {}
@@ -104,7 +104,7 @@ bool has(const ExprPtr& expr, ExprKind kind) {
     return false;
 }
 
-/// Whether it is true for some values of the clocks.
+/// Whether the condition is true for some values of the clocks.
 bool possible(const ExprPtr& condition, const Values& values, std::uint32_t clocks) {
     for (std::uint32_t each = 0; each < (1U << clocks); ++each)
         if (value(condition, values, each)) return true;
@@ -147,7 +147,7 @@ TEST(UntimedGuards, DropOnlyTheComparisonsWithClocks) {
     EXPECT_TRUE(untimed_guard(nullptr).left_open.empty());
 }
 
-/// `condition else` beside `since(C) >= 1 /\ few`: without time either may be taken.
+/// `condition else` next to `since(C) >= 1 /\ few`: without time either transition may be taken.
 TEST(UntimedGuards, ANegatedConjunctionMayBeTrueWhateverIsKept) {
     const ExprPtr sibling = made(ExprKind::conjunction, {late(0), variable(0)});
     EXPECT_EQ(untimed_guard(made(ExprKind::logical_not, {sibling})).kept, nullptr);

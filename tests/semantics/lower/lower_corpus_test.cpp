@@ -1,4 +1,4 @@
-// The two case studies, lowered: asserted field by field from the model texts in corpus/.
+// The two case studies, lowered: compared field by field with the model texts in corpus/.
 #include <gtest/gtest.h>
 
 #include "semantics/instantiate/instantiate.hpp"
@@ -107,8 +107,8 @@ TEST(LowerCorpus, SwarmTaxisDefinitionsInTheController) {
             EXPECT_EQ(lowered->system.machine(definitions[i]).name, name);
         }
     }
-    EXPECT_EQ(controller.operations.size(), 5U);  // the seven required ones without the two defined
-    // Turn calls StartTurning, which nobody defines.
+    EXPECT_EQ(controller.operations.size(), 5U);  // seven required operations, two of them defined
+    // Turn calls StartTurning, which has no definition.
     const auto& turn = lowered->machine("Turn");
     ASSERT_EQ(called_operations(turn).size(), 1U);
     const auto& start = turn.operations[called_operations(turn)[0].index];
@@ -135,7 +135,7 @@ TEST(LowerCorpus, Module) {
     ASSERT_EQ(lowered->system.modules.size(), 1U);
     const auto& module = lowered->system.modules[0];
     EXPECT_EQ(module.platform.name, "EPuck");
-    EXPECT_EQ(module.platform.variables[0].scope, VariableScope::required);  // provided: seen by the platform
+    EXPECT_EQ(module.platform.variables[0].scope, VariableScope::required);  // provided: visible to the platform
     EXPECT_EQ(module.platform.operations.size(), 2U);
     ASSERT_EQ(module.connections.size(), 2U);
     EXPECT_EQ(module.connections[0].from.kind, EndKind::self);

@@ -104,8 +104,8 @@ TEST(LowerExpressions, FunctionsAreLoweredAtFirstUseAndWarnedOf) {
     EXPECT_EQ(lowered->text("S", lowered->transition("S", "a").action->value), "half(2r)");
 }
 
-/// A block is a definition for the times that it is for; one of another name replaces nothing. In a time without claims
-/// none is needed.
+/// A block defines a function for the times of the block; a block with another name does not. In a time without
+/// assertions no definition is needed.
 TEST(LowerExpressions, FunctionsThatBlocksDefineAreNotWarnedOf) {
     const auto codes = [](const std::string& blocks) {
         return lower_text("package a::b\nfunction half(n:nat):nat { }\n" +
@@ -134,7 +134,7 @@ TEST(LowerExpressions, LetAndLambda) {
     EXPECT_EQ(body[1]->value->kind, ExprKind::apply);
 }
 
-/// The parser refuses such numbers already (RC-P06, RC-P07); models built otherwise meet the rule here.
+/// The parser already rejects such numbers (RC-P06, RC-P07); IR that is built in another way is checked here.
 TEST(LowerExpressions, NumbersBeyond64BitsAreReported) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
@@ -322,7 +322,7 @@ controller C { requires I opref w = walk opref t = turn sref s = S }
     EXPECT_NE(lowered->messages().find("walk calls turn calls walk"), std::string::npos);
 }
 
-/// walk requires `limit`; each caller has one of its own.
+/// walk requires `limit`; each caller provides its own.
 std::string limit_model(const std::string& second_caller) {
     return R"(
 interface L { const limit : nat }

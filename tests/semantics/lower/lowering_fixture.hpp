@@ -19,7 +19,7 @@ struct Lowered {
     frontend::Model model;
     System system;
 
-    [[nodiscard]] std::vector<std::string> codes() const;  ///< of all diagnostics but advice (RC-W), by place
+    [[nodiscard]] std::vector<std::string> codes() const;  ///< of all findings except advice (RC-W), by place
     [[nodiscard]] std::string messages() const;
     [[nodiscard]] const Machine& machine(const std::string& path) const;
     [[nodiscard]] const Controller& controller(const std::string& path) const;
@@ -36,11 +36,11 @@ struct SourceText {
 };
 
 [[nodiscard]] std::unique_ptr<Lowered> lower_files(const std::vector<SourceText>& files);
-/// One .rct text and, if not empty, one .assertions text. Expects no errors.
+/// Lowers one .rct text and, if not empty, one .assertions text. Errors fail the test.
 [[nodiscard]] std::unique_ptr<Lowered> lower_text(const std::string& rct, const std::string& assertions = "");
-/// A file or folder. Expects no errors.
+/// Lowers a file or folder. Errors fail the test.
 [[nodiscard]] std::unique_ptr<Lowered> lower_path(const std::string& path);
-/// The machine `S` with this body and a state `A` that the initial node leads to.
+/// The machine `S` with this body and a state `A` after the initial node.
 [[nodiscard]] std::string machine_text(const std::string& body);
 
 }  // namespace robochart::ir::samples

@@ -1,4 +1,4 @@
-// The aggregation model (corpus/aggregation/aggregation.rct) as IR, written out by hand after the model text.
+// The aggregation model (corpus/aggregation/aggregation.rct) as IR, written by hand from the model text.
 #include "tests/semantics/sample_systems/sample_systems.hpp"
 
 #include <utility>
@@ -45,7 +45,7 @@ ExprPtr compare(ExprKind kind, ExprPtr left, ExprPtr right) {
     return share(expr);
 }
 
-/// Numbers points in the order in which statements are made, a sequence before its parts.
+/// Numbers points in the order in which statements are created: a sequence before its parts.
 class Program {
 public:
     explicit Program(Machine& machine) : machine_(machine) {}

@@ -1,5 +1,5 @@
-// Hand-built IR of the corpus models, for tests of everything that reads the IR and does not want to parse text.
-// Kept equal to what lowering the corpus gives (tests/semantics/lower/lower_corpus_test.cpp compares the dumps).
+// Hand-written IR of the corpus models, for tests of components that read the IR, without the parser. It equals the
+// result of lowering the corpus (tests/semantics/lower/lower_corpus_test.cpp compares the dumps).
 #pragma once
 
 #include "semantics/ir/ir.hpp"
@@ -10,7 +10,7 @@ namespace robochart::ir::samples {
 /// controller AggregationController, module Aggregation; no properties. Spans are unknown.
 [[nodiscard]] System aggregation();
 
-/// The ids that lowering gives the built-in types, in this order in every System.
+/// The ids that lowering gives to the built-in types, in this order in every System.
 struct CoreTypes {
     TypeId boolean{0};
     TypeId nat{1};
