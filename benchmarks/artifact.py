@@ -23,7 +23,7 @@ PYTHON = sys.executable
 
 @dataclass
 class Table:
-    heading: str  # of the section of docs/benchmarks.md, without its signs
+    heading: str  # of the section of docs/benchmarks.md, without the number signs
     commands: list[list[str]] = field(default_factory=list)
     needs: str = ""  # the files that are not in the repository
 

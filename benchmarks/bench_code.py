@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Generated code against hand-written switches: speed, size, compile cost. Called by scripts/bench_code.sh.
+"""Compares generated code with hand-written switches: speed, size, compile cost. Called by scripts/bench_code.sh.
 
 Usage: bench_code.py COMMAND LAYOUTS COMPILER STRATEGY
 """
@@ -26,7 +26,7 @@ def emit(command, strategy, folder):
 
 
 def compile_unit(compiler, machine, back_end, folder, level, purpose="size"):
-    """One translation unit; user seconds and peak megabytes of the compiler."""
+    """Compiles one translation unit; returns user seconds and peak megabytes of the compiler."""
     name = machine.upper()
     target = folder / f"{machine}_{back_end}_{level}_{purpose}.o"
     words = [compiler, "-std=c++17", "-Wall", "-Wextra", "-Werror", f"-{level}", "-fno-exceptions", "-fno-rtti", "-c",
@@ -47,7 +47,7 @@ def link(compiler, objects, target):
 
 
 def driver(compiler, folder, check):
-    """The objects beside the back ends."""
+    """The objects other than the back ends."""
     objects = []
     for source in [HERE / "code" / "main.cpp"] + ([] if check else [HERE / "cpu_time.cpp"]):
         objects.append(folder / f"{source.stem}{'_check' if check else ''}.o")
@@ -63,7 +63,7 @@ def bytes_of(target):
 
 
 def gap(folder, index, chance):
-    """An object of up to 64 KB of code that nobody runs."""
+    """An object with up to 64 KB of code that is never executed."""
     target = folder / f"gap_{index}.o"
     text = f".text\n.skip {64 + 64 * chance.randrange(1024)}\n.section .note.GNU-stack\n"
     subprocess.run(["as", "-o", str(target)], input=text, text=True, check=True)
@@ -71,8 +71,8 @@ def gap(folder, index, chance):
 
 
 def one_layout(compiler, objects, back_ends, folder, chance):
-    """Times by machine and stream, of a program that has the back ends in another order and elsewhere: where code lies
-    must not decide."""
+    """Times by machine and stream, of a program with the back ends in another order and at other addresses, so that the
+    layout of the code does not affect the result."""
     order = list(back_ends)
     chance.shuffle(order)
     apart = [part for i, one in enumerate(order) for part in (gap(folder, i, chance), one)]

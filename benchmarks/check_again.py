@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks the high-voltage controller from scratch, then again after edits of its smaller machines, with what earlier
-runs have kept (docs/cli.md, "Again and again").
+"""Checks the high-voltage controller from scratch, then again after edits of its smaller machines, with cached results of
+earlier runs (docs/cli.md, "Again and again").
 
-Prints the processor time of each run, and how many times shorter it is than from scratch; exits with 1 if an answer
-differs from that of a run that keeps nothing, with 77 without the model."""
+Prints the processor time of each run, and the speedup over the run from scratch. Exits with 1 if an answer differs from
+that of a run without a cache, with 77 without the model."""
 
 import argparse
 import json
@@ -16,7 +16,7 @@ from pathlib import Path
 
 from measured import Child, run
 
-# What is edited, in which file, and what becomes of it.
+# The edits: file, old text, new text.
 EDITS = [
     ("nothing", "", "", ""),
     ("a comment in front of all", "Transition_system.rct", "diagram Transition_system", "// edited\n\ndiagram Transition_system"),
@@ -29,7 +29,7 @@ EDITS = [
 
 
 def check(program: str, folder: Path, *options: str) -> tuple[list, Child]:
-    """The answers, and what they took."""
+    """The answers, and the resources that they took."""
     child = run([program, "check", str(folder), "--format", "json", *options])
     try:
         assertions = json.loads(child.output)["assertions"]

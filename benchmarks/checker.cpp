@@ -11,7 +11,7 @@ namespace {
 
 using namespace robochart;
 
-/// N philosophers and N forks; the last philosopher takes the other fork first, so nobody starves the table.
+/// N philosophers and N forks; the last philosopher takes the other fork first, so there is no deadlock.
 std::string philosophers(int n) {
     const std::string last = std::to_string(n - 1);
     const std::string count = std::to_string(n);

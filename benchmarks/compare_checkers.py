@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Generates the state spaces of benchmarks/models with our checker, and compares with the figures of mCRL2, LTSmin and SPIN
-that benchmarks/models/peers.tsv records. With --foreign FOLDER the tools that are installed also run, on the folder's
-MODEL.mcrl2 and MODEL.pml.
+that benchmarks/models/peers.tsv records. With --foreign FOLDER the installed tools also run, on MODEL.mcrl2 and
+MODEL.pml in the folder.
 
 Prints a table; exits with 1 if a count of states or transitions differs from the recorded one."""
 
@@ -23,7 +23,7 @@ from measured import run
 SMALL = ["phils7", "milner15", "cbuf10", "buf12"]
 LARGE = ["cbuf11", "phils8", "milner18"]
 MODELS = Path(__file__).parent / "models"
-# Scripts below MODELS, whose first definition is N.
+# Scripts below MODELS; their first definition is N.
 SCRIPTS = {"phils": "philosophers.csp", "milner": "scheduler.csp", "cbuf": "cells.csp", "buf": "buffers.csp"}
 # Models without a row in peers.tsv: 3^12 states, confirmed by mCRL2.
 COUNTS = {"buf12": (531441, 2007666)}
@@ -31,7 +31,7 @@ COUNTS = {"buf12": (531441, 2007666)}
 
 @dataclass
 class Run:
-    """One program's run on one model."""
+    """The run of one program on one model."""
     tool: str
     states: int
     transitions: int
@@ -40,7 +40,7 @@ class Run:
     rss: int  # bytes
 
     def rate(self) -> float:
-        """Million transitions a CPU second."""
+        """Million transitions per CPU second."""
         return self.transitions / max(self.cpu, 1e-3) / 1e6
 
 
@@ -55,7 +55,7 @@ class Ours:
         self.base = run([program, "cspm", str(empty)], folder).rss
 
     def explore(self, model: str, threads: int) -> Run:
-        """All states: deadlock freedom holds, so the search visits all of them."""
+        """Explores all states: deadlock freedom holds, so the search visits all of them."""
         family, size = re.fullmatch(r"([a-z]+)(\d+)", model).groups()
         text = (MODELS / SCRIPTS[family]).read_text()
         script = Path(self.folder, model + ".csp")
@@ -99,7 +99,7 @@ def ltsmin(model: Path, folder: str) -> Optional[Run]:
         return None
     shutil.copy(source, folder)
     compiled = run(["spins", source.name], folder)
-    # With two threads it fails now and then while loading (a known assertion); one thread, tried twice.
+    # With two threads, loading sometimes fails (a known assertion); so it uses one thread and two attempts.
     for _ in range(2):
         child = run(["prom2lts-mc", "--threads=1", "--state=tree", "-s26", source.name + ".spins"], folder)
         counts = numbers(r"(\d+) states,? (\d+) transitions", child.said()) or \
@@ -120,7 +120,7 @@ def spin(model: Path, folder: str) -> Optional[Run]:
     counts = numbers(r"(\d+) states, stored[\s\S]*?(\d+) transitions", child.said())
     if made.exit or built.exit or child.exit or counts is None:
         return None
-    return Run("SPIN (live)", counts[0], counts[1] - 1, child.wall, child.cpu, child.rss)  # it counts the start
+    return Run("SPIN (live)", counts[0], counts[1] - 1, child.wall, child.cpu, child.rss)  # it counts the initial step
 
 
 PEERS = [("mCRL2", ["mcrl22lps", "lps2lts"], mcrl2), ("LTSmin", ["spins", "prom2lts-mc"], ltsmin),
@@ -138,7 +138,7 @@ def recorded() -> dict[str, list[Run]]:
 
 
 def expected_counts(model: str, rows: list[Run]) -> tuple[int, int]:
-    """Of the exact, unreduced explorations: those that LTSmin and mCRL2 agree on (SPIN counts the start as a step)."""
+    """The counts of the exact, unreduced explorations: those of LTSmin and mCRL2, which agree (SPIN counts the start as a step)."""
     exact = {(r.states, r.transitions) for r in rows if r.tool.startswith(("ltsmin", "mcrl2"))}
     if model in COUNTS:
         exact.add(COUNTS[model])

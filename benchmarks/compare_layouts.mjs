@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Crossings of our diagrams beside those of ELK's layered layout on the same boxes, with the same labels:
-// `node compare_layouts.mjs ELK < PICTURES`. ELK: the file elk.bundled.js of the npm package elkjs; PICTURES: what
-// `benchmark_diagrams --pictures` prints. ELK lays out each level alone, as we do, downwards and to the right, with the
-// order of the text considered and without; the way with the fewest crossings counts. Crossings of both are counted by
-// one function on their lines. Exit code 1: ours are more.
+// Compares crossings in our diagrams with those in ELK's layered layout of the same boxes and labels: `node
+// compare_layouts.mjs ELK < PICTURES`. ELK is the file elk.bundled.js of the npm package elkjs; PICTURES is the output
+// of `benchmark_diagrams --pictures`. ELK lays out each level alone, as we do, downwards and to the right, with and
+// without the order of the text; the layout with the fewest crossings counts. One function counts the crossings of both
+// on their lines. Exit code 1: ours are more.
 import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Compares our scripts for the models of RoboTool's published ones with those: bytes, and the states of every component's
+"""Compares our scripts with RoboTool's published ones for the same models: bytes, and the states of every component's
 compressed process (O__, timed with tock visible).
 
-Prints a line for each script and totals; exits with 1 if something is missing or a component of ours has more states,
-with 77 without the scripts."""
+Prints a line for each script and totals. Exits with 1 if a component is missing or has more states in our script, with 77
+without the scripts."""
 
 import argparse
 import json
@@ -52,7 +52,7 @@ def theirs(program: str, script: Path) -> dict[str, int]:
 
 
 def script_bytes(script: Path) -> int:
-    """RoboTool's files for this model: those that carry its name, and its library (core, robochart, state)."""
+    """The size of RoboTool's files for this model: those with its name, and its library (core, robochart, state)."""
     defs = script.parent / "defs"
     patterns = (f"{script.stem}.csp", f"{script.stem}_defs.csp", "core_*.csp", "robochart_defs.csp", "state_*.csp")
     return script.stat().st_size + sum(path.stat().st_size for pattern in patterns for path in defs.glob(pattern))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nanoseconds of one control cycle of the generated controllers, events known only at run time.
+// Nanoseconds of one control cycle of the generated controllers, with events that are unknown at compile time.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace {
 
-/// A fixed stream of pseudo-random bits (xorshift64), so that every run meets the same events.
+/// A fixed stream of pseudo-random bits (xorshift64), so that every run has the same events.
 std::array<std::uint8_t, 4096> stream() {
     std::array<std::uint8_t, 4096> bits{};
     std::uint64_t x = 88172645463325252ULL;
@@ -37,7 +37,7 @@ void aggregation_cycle(benchmark::State& state) {
 }
 BENCHMARK(aggregation_cycle);
 
-/// The cycle is measured, not what a platform does.
+/// An empty platform, because only the cycle is measured.
 class Taxi : public swarm_taxis::SwarmTaxisFSM {
     void MoveForward() override {}
     void CheckIlluminationStatus() override {}

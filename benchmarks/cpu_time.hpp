@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The clock of benchmarks that hold two things against one another in one thread.
+// The clock of benchmarks that compare two variants in one thread.
 #pragma once
 
 namespace robochart {

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Decides deadlock, divergence and determinism of every component (module, controller, machine, operation) of
-RoboTool's own scripts: of each `X::O__(id, constants...)`, timed scripts as they stand, with tock visible.
+RoboTool's own scripts, for each `X::O__(id, constants...)`; timed scripts are unchanged, with tock visible.
 
-Each is decided twice: by all states, and without those that confluent taus lead on from (docs/search.md), `kept`; times
-are those of all states. Prints a line for each script and totals, and why where there is no verdict; exits with 1 if a
+Each assertion is decided twice: with all states, and with confluent taus followed (docs/search.md), column `kept`. Times
+are those with all states. Prints a line for each script, totals, and the reason if there is no verdict. Exits with 1 if a
 script does not load, an assertion is not decided or the two answers differ, with 77 without the scripts."""
 
 import argparse
@@ -21,15 +21,15 @@ from pathlib import Path
 from measured import Child, run
 
 PROPERTIES = ["deadlock free [FD]", "divergence free", "deterministic [FD]"]
-# A module's begin and end, and the definition of its optimised process, which is what RoboTool's assertions are about.
+# The start and end of a module, and the definition of its optimised process, which RoboTool's assertions are about.
 LANDMARK = re.compile(r"^[ \t]*(?:module[ \t]+(\w+)|(endmodule)\b|O__[ \t]*\(([^)]*)\)[ \t]*=)", re.MULTILINE)
 COMMENT = re.compile(r"\{-.*?-\}|--[^\n]*", re.DOTALL)
 INCLUDE = re.compile(r'^[ \t]*include[ \t]+"([^"]+)"', re.MULTILINE)
-LIMIT = 600  # seconds an assertion; far above the minute that all scripts together should take
+LIMIT = 600  # seconds per assertion; far above the minute that all scripts together should take
 
 
 class Unusable(Exception):
-    """A script whose components cannot be asked about, and why."""
+    """A script whose components cannot be checked, and the reason."""
 
 
 @dataclass
@@ -38,7 +38,7 @@ class Outcome:
     answers: Counter = field(default_factory=Counter)  # by property and verdict
     undecided: list[str] = field(default_factory=list)
     states: int = 0
-    kept: int = 0  # with what confluent taus lead on from left out
+    kept: int = 0  # states if confluent taus are followed
     wall: float = 0
     cpu: float = 0
 
@@ -56,7 +56,7 @@ class Outcome:
 
 
 def text_of(script: Path) -> str:
-    """The script with all that it includes, in place, without comments."""
+    """The script with its included files in place, without comments."""
     try:
         text = COMMENT.sub("", script.read_text())
     except OSError as error:
@@ -65,7 +65,7 @@ def text_of(script: Path) -> str:
 
 
 def components(text: str) -> list[tuple[str, list[str]]]:
-    """Path and parameters of every O__: those of modules inside modules too."""
+    """Path and parameters of every O__, also in nested modules."""
     path: list[str] = []
     result = []
     for found in LANDMARK.finditer(text):
@@ -81,7 +81,7 @@ def components(text: str) -> list[tuple[str, list[str]]]:
 
 
 def argument(name: str, text: str, model: str) -> str:
-    """A constant's instantiation; one with a value in the model has none in the script: that value."""
+    """The instantiation of a constant; if it has a value in the model and none in the script, the value in the model."""
     if re.search(rf"^{name}[ \t]*=", text, re.MULTILINE):
         return name
     for found in re.finditer(r"\bconst\s+(\w+)\s*:\s*\w+\s*=\s*(-?\d+|true|false)\b", model):
@@ -91,7 +91,7 @@ def argument(name: str, text: str, model: str) -> str:
 
 
 def model_of(script: Path) -> str:
-    """The text of the model that the script was made from (ex2 is the package of example2)."""
+    """The text of the model from which the script was generated (ex2 is the package of example2)."""
     name = script.stem.removeprefix("file_")
     for candidate in (name, re.sub(r"^ex(\d)", r"example\1", name)):
         path = script.parent.parent / "models" / (candidate + ".rct")
@@ -101,7 +101,7 @@ def model_of(script: Path) -> str:
 
 
 def questions(script: Path) -> tuple[int, list[str]]:
-    """How many components the script has and what to assert of them."""
+    """The number of components in the script, and the assertions about them."""
     text, model = text_of(script), model_of(script)
     if len(re.findall(r"^[ \t]*O__[ \t]*\(", text, re.MULTILINE)) != len(components(text)):
         raise Unusable("an O__ of it is not understood")
@@ -113,7 +113,7 @@ def questions(script: Path) -> tuple[int, list[str]]:
 
 
 def answers(program: str, script: Path, asked: int, *more: str) -> tuple[list[dict], Child]:
-    """What is reported on so many assertions of a script, and what that took."""
+    """The results for the given number of assertions of a script, and the resources that they took."""
     child = run([program, "cspm", str(script), "--format", "json", "--brief", "--progress", "never",
                  "--timeout", str(LIMIT), "--no-cache", *more])
     try:
@@ -146,7 +146,7 @@ def decide(program: str, script: Path, folder: str) -> Outcome:
 
 
 def type_check(program: str, script: Path) -> bool:
-    """Loads and type checks a script, and says so or why not."""
+    """Loads and type checks a script; prints the result and the reason for a failure."""
     begin = time.monotonic()
     child = subprocess.run([program, "cspm", "--typecheck", str(script)], capture_output=True, text=True)
     if child.returncode == 0:

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Decides the assertions of the high-voltage controller, one program each: from the script that RoboTool wrote for it,
-or, with --own, from the script that we write for its model.
+"""Decides the assertions of the high-voltage controller, in one process each: from the script that RoboTool wrote for it,
+or, with --own, from the script that we generate from its model.
 
-Prints verdict, states, seconds and memory of each beside what was recorded of FDR; exits with 1 if a verdict differs
-from the recorded one or an assertion is not decided, with 77 without the script. All states are searched; with
---reduction each is decided once more without the states that confluent taus lead on from (docs/search.md): states kept
-beside what is aimed at, and the share of processor time. With --aims this is done for what is aimed at, in both scripts;
-1 too if more states are kept."""
+Prints verdict, states, seconds and memory of each assertion next to the recorded figures of FDR. Exits with 1 if a verdict
+differs from the recorded one or an assertion is not decided, with 77 without the script. All states are searched. With
+--reduction each assertion is also decided with confluent taus followed (docs/search.md); the table then shows the kept
+states next to the target, and the share of processor time. With --aims this is done for the assertions with a target, in
+both scripts; the exit code is also 1 if more states are kept."""
 
 import argparse
 import csv
@@ -18,18 +18,18 @@ from pathlib import Path
 
 from measured import Child, run
 
-# The recorded rows, in the table's order, by the number of their assertion in RoboTool's script and in ours, which
-# asks for the reachable states first.
+# The recorded rows, in the table's order, by the number of their assertion in RoboTool's script and in ours, where the
+# reachability assertions come first.
 RECORDED = [1, 2, 6, 10, 11, 16]
 RECORDED_OWN = [7, 8, 12, 16, 17, 5]
 ANSWERS = {"holds": "pass", "fails": "fail"}
-# At most so many states are to be kept by the reduction, by the number of the assertion.
+# The maximal number of states that the reduction should keep, by the number of the assertion.
 AIMED = {6: 90_000, 11: 150_000}
 AIMED_OWN = {7: 12_000_000, 12: 150_000, 16: 150_000, 17: 400_000}
 
 
 def decide(program: str, script: Path, number: int, threads: int, *more: str) -> tuple[dict, Child]:
-    """The report on one assertion, and what it took."""
+    """The report on one assertion, and the resources that it took."""
     child = run([program, "cspm", str(script), "--assertion", str(number), "-b", "--format", "json", "--no-cache",
                  "--threads", str(threads), *more])
     sys.stderr.write(child.errors)
@@ -51,12 +51,12 @@ def emitted(program: str, folder: Path, out: Path) -> Path:
 
 
 def search_cpu(result: dict, child: Child) -> float:
-    """The processor time of the search, without reading and compilation."""
+    """The processor time of the search, without parsing and compilation."""
     return child.cpu - result["compile_cpu_seconds"]
 
 
 def reduced_agrees(options: argparse.Namespace, script: Path, number: int, whole: dict, took: Child) -> bool:
-    """Prints a row of the table; whether the answer is the same, and what is aimed at is reached."""
+    """Prints a row of the table; returns whether the answer is the same and the target is reached."""
     result, child = decide(options.program, script, number, options.threads)
     aimed = (AIMED_OWN if options.own else AIMED).get(number)
     beside = f"{result['chased_states']:,} chased" + (f", aim {aimed:,}" if aimed else "")
@@ -97,7 +97,7 @@ def main() -> int:
 
 
 def decide_all(options: argparse.Namespace, script: Path) -> int:
-    """Prints the table; the exit status."""
+    """Prints the table; returns the exit status."""
     with open(options.folder / "FDR-RECORDED.tsv") as table:
         rows = csv.DictReader(table, delimiter="\t")
         recorded = dict(zip(RECORDED_OWN if options.own else RECORDED, rows, strict=True))

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The models of the Quantitative Verification Benchmark Set (shared/suite/prism/qvbs) by `robochart-verify prism`: values compared with those of
-the set, states with its counts, and CPU seconds beside those that four checkers took in QComp 2020 for the same questions.
+"""The models of the Quantitative Verification Benchmark Set (shared/suite/prism/qvbs) with `robochart-verify prism`. Compares
+values and numbers of states with those of the set, and CPU seconds with those of four checkers in QComp 2020 for the same
+questions.
 
 Usage: benchmarks/decide_qvbs.py --program PROGRAM --folder FOLDER [--jobs N] [--only TEXT] [--exact STATES]   (scripts/bench_qvbs.sh)
 """
@@ -15,7 +16,8 @@ from fractions import Fraction
 
 import measured
 
-# The tables of QComp 2020: seconds with a guaranteed relative error of 1e-6, start included (Storm, Storm static sparse, PRISM, mcsta).
+# The tables of QComp 2020: seconds with a guaranteed relative error of 1e-6, including startup (Storm, Storm static
+# sparse, PRISM, mcsta).
 QCOMP = {("mdp/consensus/consensus.4.prism", "K=4", "disagree"): (2.5, 2.5, 23, 5.9),
          ("dtmc/herman/herman.15.prism", "", "steps"): (4.2, 22.7, 16.1, None),
          ("mdp/wlan/wlan.4.prism", "COL=0", "cost_min"): (4.8, 4.0, 59, 15)}
@@ -29,7 +31,7 @@ def table(path):
 
 
 def constants_of(text):
-    """The constant B belongs to properties that are left out."""
+    """The constants, without B, which belongs to properties that are skipped."""
     return ",".join(each for each in text.split(",") if each and not each.startswith("B="))
 
 
@@ -52,7 +54,7 @@ def fraction(row, long_ones):
 
 
 def fault(row, answer, long_ones, exact):
-    """What is not as the row says; "" if all is."""
+    """The first difference from the row; "" if there is none."""
     value = row["value"]
     if row["kind"] == "bool":
         return "" if answer["answer"] == value else f"{answer['answer']} instead of {value}"

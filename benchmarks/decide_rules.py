@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A rule in SLEEC about a model whose measures have many values: `robochart-verify rules` beside SLEEC-TK's published encoding of the same question.
+"""A rule in SLEEC about a model whose measures have many values: `robochart-verify rules` compared with SLEEC-TK's published
+encoding of the same question.
 
-The published encoding (arXiv 2307.03697) puts the rule beside memories: each measure is read once in each second, in a fixed order, its value is kept
-until the next (where a second ends before all are read, they are read anew), and the component has to refine rule and memories in the traces model. Here it is written as CSPM, a process for each memory, and
-decided by `robochart-verify cspm` over the same timed semantics of the model, up to a limit of states. Both answers are printed with
-states, CPU seconds and memory. With few values (first line) both are decided, and agree.
+The published encoding (arXiv 2307.03697) composes the rule with memories. Each measure is read once in each second, in a
+fixed order, and its value is kept until the next reading (if a second ends before all are read, they are read again). The
+component has to refine rule and memories in the traces model. Here the encoding is written as CSPM, with one process for
+each memory, and `robochart-verify cspm` decides it over the same timed semantics of the model, up to a limit of states.
+Prints both answers with states, CPU seconds and memory. With few values (first line) both are decided and agree.
 
 Usage: benchmarks/decide_rules.py --program PROGRAM [--values N] [--limit STATES]   (scripts/bench_rules.sh)
 """
@@ -60,7 +62,7 @@ rule_start
 rule_end
 """
 
-# Every second begins with one reading of each measure, in the order of the text; then the events of the rule may occur.
+# Every second starts with one reading of each measure, in the order of the text; then the events of the rule may occur.
 PUBLISHED = """
 Values = {0..MOST}
 channel r_temperature, r_heart, r_oxygen, i_temperature, i_heart, i_oxygen : Values

@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Decides the claims of benchmarks/models/grid.swarm about robots of corpus/alpha, for numbers of robots and sizes of the
-grid. Prints a line for each claim: its answer, the states that were searched, and what the run of all claims took. Exits
-with 1 where a claim is not decided or has another answer than it must have, with 3 where the program does not answer or
-nothing was asked."""
+grid. Prints a line for each claim: its answer, the number of searched states, and the time and memory of the run. Exits
+with 1 if a claim is not decided or has a wrong answer, with 3 if the program does not answer or there was no claim."""
 
 import argparse
 import json
@@ -13,12 +12,12 @@ from measured import run
 
 
 def expected(claim: str, robots: int, side: int) -> str | None:
-    """The answer that a claim must have; None: not known.
+    """The expected answer to a claim; None: unknown.
 
     On a torus no two cells are more than side // 2 apart, so robots are always linked over three cells up to side 7, and
-    never three cells away up to side 5. On larger ones robots that hear each other go on with one heading, as far as the
-    torus allows; and those that lose each other run straight on, side by side for ever or apart (published for the same
-    algorithm: a robot may lose contact, and robots that run straight need not meet again)."""
+    never three cells away up to side 5. On larger tori, robots that hear each other continue with one heading, as far as the
+    torus allows. Robots that lose each other drive straight ahead, in parallel or apart, forever (published for the same
+    algorithm: a robot may lose contact, and robots that drive straight need not meet again)."""
     if robots != 3 or side < 4:
         return None
     if claim == "deadlock free":

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The six sets of constants of the UVC case study, nineteen values each, and its deadlock check, by `robochart-verify prism`: compares states,
-transitions and values with the reference, and prints seconds beside those that PRISM 4.6 took (shared/suite/prism/uvc/EXPECTED.tsv).
+"""The six sets of constants of the UVC case study with nineteen values each, and its deadlock check, with
+`robochart-verify prism`. Compares states, transitions and values with the reference, and prints seconds next to those of
+PRISM 4.6 (shared/suite/prism/uvc/EXPECTED.tsv).
 
 Usage: benchmarks/decide_uvc.py --program PROGRAM --folder FOLDER [--jobs N] [--usual] [--model]   (scripts/bench_uvc.sh)
---usual: the usual width of intervals, and PRISM's own results to compare with.
---model: not RoboTool's PRISM file, but the model in RoboChart with its assertions, by `check --encoding robotool`.
+--usual: the default width of intervals, compared with PRISM's own results.
+--model: the model in RoboChart with its assertions, with `check --encoding robotool`, and not RoboTool's PRISM file.
 """
 import argparse
 import csv
@@ -22,7 +23,7 @@ NO_DEADLOCK = '! E [ F "deadlock" ]'
 
 
 def decide(options, name, rows):
-    """One set: seconds, and what the program says."""
+    """Decides one set; returns seconds and the output of the program."""
     constants = [each for each in rows[0]["constants"].split(",") if not each.startswith("t=")]
     times = [int(row["t"]) for row in rows]
     command = [options.program, "prism", options.folder + "/prism-gen/system.prism", "--property", PROPERTY,
@@ -38,7 +39,7 @@ def decide(options, name, rows):
 
 
 def decide_model(options, name):
-    """The same by the assertions of the model."""
+    """Decides one set with the assertions of the model."""
     command = [options.program, "check", options.folder, "--encoding", "robotool", "--format", "json", "-q",
                "--prefs", options.folder + "/prism-gen/rc2prism.prefs", "--assertion", "P_dangerous_" + name]
     if not options.usual:

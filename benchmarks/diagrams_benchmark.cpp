@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long diagrams take: benchmark_diagrams MODEL... reads each file or folder alone and draws every component of it
-// as SVG, ten times; the least of each counts. The bars: 95 % below 5 ms, all below 50 ms. With --pictures as the first
-// argument it prints the diagrams as JSON instead, one a line: boxes and lines with their places, for
-// compare_layouts.mjs.
+// The time to draw diagrams. benchmark_diagrams MODEL... loads each file or folder alone and draws every component as
+// SVG, ten times; the minimum counts. The targets: 95 % below 5 ms, all below 50 ms. With --pictures as the first
+// argument it prints the diagrams as JSON, one per line: boxes and lines with their places, for compare_layouts.mjs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,7 +49,7 @@ void draw_all(const std::string& path,
     for (const diagrams::Subject& subject : diagrams::subjects(*model, sources)) look(subject, elements);
 }
 
-/// -1 for no box.
+/// -1 if there is no box.
 nlohmann::json box_number(std::size_t box) {
     return box == diagrams::none ? nlohmann::json(-1) : nlohmann::json(box);
 }

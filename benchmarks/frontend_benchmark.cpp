@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The front end on generated projects of 5,000 to 50,000 lines: reading, parsing, resolution with all rules; lines a
-// second, bytes of memory a line, and whether time grows linearly.
+// The front end on generated projects of 5,000 to 50,000 lines: loading, parsing, resolution with all rules. Measures
+// lines per second, bytes of memory per line, and whether time grows linearly.
 //
 //   benchmark_frontend [--seed N] [--runs N]
 //
@@ -25,14 +25,14 @@ namespace {
 namespace fs = std::filesystem;
 using namespace robochart;
 
-/// CPU time, so that other programs on the machine count little.
+/// CPU time, which other programs on the machine affect little.
 double seconds() {
     timespec now{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Bytes that are allocated now.
+/// The number of bytes that are currently allocated.
 double allocated() {
     const struct mallinfo2 info = mallinfo2();
     return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
@@ -41,11 +41,11 @@ double allocated() {
 struct Reading {
     double parse = 0;
     double resolve = 0;
-    double load = 0;  ///< all of it, from files
+    double load = 0;  ///< everything, from files
     double memory = 0;
 };
 
-/// Texts to trees, and trees to a resolved model, one after the other.
+/// Measures parsing, and then resolution.
 void measure_phases(const random_models::Project& project, Reading& reading) {
     const double before = allocated();
     const double begin = seconds();
@@ -57,7 +57,7 @@ void measure_phases(const random_models::Project& project, Reading& reading) {
     reading.memory = allocated() - before;
 }
 
-/// As the command does it: from a folder to a model.
+/// Measures the whole front end as the command uses it: from a folder to a model.
 void measure_load(const std::string& folder, Reading& reading) {
     const double begin = seconds();
     diagnostics::SourceManager sources;
@@ -69,7 +69,7 @@ void measure_load(const std::string& folder, Reading& reading) {
     std::exit(70);
 }
 
-/// The best of several runs: what disturbs a run only makes it longer.
+/// The minimum of several runs, because disturbances only make a run longer.
 Reading measure(const random_models::Project& project, std::size_t runs) {
     const fs::path folder = fs::temp_directory_path() / ("robochart_benchmark_" + std::to_string(std::time(nullptr)));
     if (!random_models::write(project, folder.string()).empty()) std::exit(70);
@@ -87,7 +87,8 @@ Reading measure(const random_models::Project& project, std::size_t runs) {
     return best;
 }
 
-/// One series of sizes with so many files each; the factor between the times of the last and the first size, per line.
+/// One series of sizes with one or many files each; returns the factor between the times per line of the last and the
+/// first size.
 double series(std::uint64_t seed, std::size_t runs, bool many_files) {
     double first = 0;
     double last = 0;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs a program and measures what this one child takes (wait4: other children do not count)."""
+"""Runs a program and measures the resources of this one child (wait4: other children do not count)."""
 
 import os
 import subprocess
@@ -17,14 +17,14 @@ class Child:
     errors: str
     wall: float  # seconds
     cpu: float
-    rss: int  # bytes, at most
+    rss: int  # bytes, maximum
 
     def said(self) -> str:
         return self.output + self.errors
 
 
 def run(command: list[str], folder: Optional[Union[str, Path]] = None) -> Child:
-    # Files, because a full pipe would stop the child.
+    # Uses files, because a full pipe would block the child.
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
         begin = time.monotonic()
         child = subprocess.Popen(command, stdout=out, stderr=err, cwd=folder)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What monitors beside every controller add to a step: benchmark_monitor ROUNDS SCENARIO... The same trial runs twice
-// in one thread, with and without, a block of steps each in turn, on the thread's own clock; the tables are made
-// before, once. Median: of the ratios of all pairs of blocks. Minimum: the least of all rounds of every block, summed.
+// The cost that a monitor for every controller adds to a step: benchmark_monitor ROUNDS SCENARIO... The same trial runs
+// twice in one thread, with and without monitors, in alternating blocks of steps, measured by the thread's CPU clock.
+// The tables are built once before. Median: of the ratios of all pairs of blocks. Minimum: the minimum of all rounds
+// for every block, summed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,7 +31,7 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-/// One trial, with monitors or without, a block of steps at a time.
+/// One trial, with or without monitors, in blocks of steps.
 class Side {
 public:
     Side(const Study& study, const simulation::Scenario& scenario, bool watched)
@@ -44,7 +45,7 @@ public:
     }
 
     [[nodiscard]] bool ready() const { return trial_ != nullptr; }
-    /// CPU seconds.
+    /// Returns CPU seconds.
     double run(std::uint64_t steps) {
         const double begin = thread_cpu_seconds();
         trial_->run(steps);
@@ -61,7 +62,7 @@ private:
     std::unique_ptr<simulation::Trial> trial_;
 };
 
-/// Seconds of each block of steps, the least of all rounds, and the ratios of all pairs of blocks.
+/// Seconds of each block of steps, the minimum of all rounds, and the ratios of all pairs of blocks.
 struct Measured {
     std::vector<double> plain, watched, ratios;
 };
@@ -75,7 +76,7 @@ bool run_round(const Study& study, const simulation::Scenario& scenario, std::ui
     measured.plain.resize(blocks, 1e300);
     measured.watched.resize(blocks, 1e300);
     for (std::size_t b = 0; b < blocks; ++b) {
-        // The same work twice; who comes first changes from block to block and from round to round.
+        // The same work twice; the order alternates from block to block and from round to round.
         const bool order = first == (b % 2 == 0);
         const double once = (order ? plain : watched).run(block);
         const double again = (order ? watched : plain).run(block);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exploration of PRISM models, interpreted: states a second, and bytes a state beyond the matrix, for a chain whose
-// commands act alone, for a decision process whose commands act together, and for a model that is given:
-// benchmark_prism [MODEL.prism [CONSTANTS]]; steps a second of random paths. What other checkers are recorded with
-// stands below.
+// Exploration of PRISM models: states per second, and bytes per state beyond the matrix, for a chain whose modules act
+// independently, for a decision process whose modules synchronise, and for a given model: benchmark_prism [MODEL.prism
+// [CONSTANTS]]. Also steps per second of random paths. The recorded figures of other checkers are below.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -24,7 +23,7 @@ namespace {
 
 using namespace robochart;
 
-/// Counters that count to 9, each with a chance of one half to stay: 10^counters states.
+/// Counters that count to 9; each step keeps the value with probability one half: 10^counters states.
 std::string counters(int count) {
     std::string text = "dtmc\n";
     for (int i = 0; i < count; ++i) {
@@ -35,7 +34,7 @@ std::string counters(int count) {
     return text;
 }
 
-/// Neighbours in a ring move together, or one of them turns back: 4^parts states.
+/// Neighbours in a ring move together, or one of them moves back: 4^parts states.
 std::string ring(int parts) {
     std::string text = "mdp\n";
     for (int i = 0; i < parts; ++i) {
@@ -56,7 +55,8 @@ std::optional<prism::CheckedModel> checked(const std::string& text) {
     return prism::check_model(file, diagnostics);
 }
 
-/// What the process has more in memory while there is a state space, less its matrix (targets, numbers, rows), a state.
+/// The additional memory of the process per state while there is a state space, without its matrix (targets, numbers,
+/// rows).
 double bytes_beyond_matrix(const prism::CheckedModel& model, const prism::Values& constants) {
     diagnostics::Diagnostics diagnostics;
     const std::uint64_t before = diagnostics::resident_bytes();
@@ -119,7 +119,7 @@ void random_paths(benchmark::State& state) {
 }
 BENCHMARK(random_paths)->Arg(6)->Unit(benchmark::kMillisecond);
 
-/// A model that is given, with values for its open constants.
+/// A given model, with values for its open constants.
 struct Given {
     std::optional<prism::CheckedModel> model;
     prism::Values constants;
@@ -136,8 +136,8 @@ Given given(const std::string& path, const std::string& constants) {
     return result;
 }
 
-/// Of RoboTool's model of the UVC case study (2,315,432 states, 9,644,662 transitions): its published logs.
-/// Storm: the logs of the Quantitative Verification Benchmark Set.
+/// For RoboTool's model of the UVC case study (2,315,432 states, 9,644,662 transitions): its published logs. Storm: the
+/// logs of the Quantitative Verification Benchmark Set.
 void print_recorded() {
     fmt::print(
         "\nrecorded of others, states/s: PRISM 4.6, hybrid engine, UVC case study 48 thousand; Storm 1.2.4, sparse "

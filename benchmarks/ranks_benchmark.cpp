@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches by levels with threads as ranks, more of them than cores (docs/scale.md): what each rank's processor did,
-// level by level. The critical path is the sum over levels of the largest processor time of a rank: what a search would
-// take if every rank had a core of its own and messages took no time. Beside it what a model predicts from the widths
-// of the levels. Messages, their bytes and memory are those of programs, each of one rank or of several. Prints a
-// table; exits with 1 where the numbers of states or transitions differ between numbers of ranks.
+// Level searches with threads as ranks, more of them than cores (docs/scale.md): the processor time of each rank, level
+// by level. The critical path is the sum over levels of the maximal processor time of a rank: the duration of a search
+// in which every rank has its own core and messages take no time. The table also contains the prediction of a model
+// from the widths of the levels. Messages, their bytes and memory are those of programs with one or several ranks each.
+// Prints a table; exits with 1 if numbers of ranks lead to different numbers of states or transitions.
 //
-//   benchmark_ranks SCRIPT NUMBER TIMES RANKS...    the process of the script's assertion of this number, all its
-//                                                   states; of so many searches for each rank and level the least time
+//   benchmark_ranks SCRIPT NUMBER TIMES RANKS...    searches all states of the process in the script's assertion with
+//                                                   this number; the minimum over TIMES searches counts for each rank
+//                                                   and level
 //
-// RANKS: so many programs of one rank each, or PROGRAMSxTHREADS, programs of so many ranks each.
+// RANKS: a number of programs with one rank each, or PROGRAMSxTHREADS: programs with this number of ranks each.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,22 +30,22 @@ namespace {
 
 using namespace robochart;
 
-/// One level of a space.
+/// One level of a state space.
 struct Width {
     double states = 0, transitions = 0;
 };
 
 struct Measured {
     std::uint64_t states = 0, transitions = 0;
-    double critical = 0;  ///< s: sum over levels of the largest time of a rank
-    double total = 0;     ///< s: of all ranks
+    double critical = 0;  ///< seconds: sum over levels of the maximal time of a rank
+    double total = 0;     ///< seconds: sum over all ranks
     std::uint64_t crossing = 0, bytes = 0, messages = 0, rounds = 0;
-    std::uint64_t most_bytes = 0;              ///< of a program: rows and messages
+    std::uint64_t most_bytes = 0;              ///< maximum over programs: rows and messages
     std::vector<Width> widths;                 ///< by one rank
     std::vector<std::vector<double>> seconds;  ///< by rank, then level
 };
 
-/// Programs of so many ranks each.
+/// Programs with this number of ranks each.
 struct Count {
     unsigned programs = 1, threads = 1;
     [[nodiscard]] unsigned ranks() const { return programs * threads; }
@@ -53,7 +54,7 @@ struct Count {
     }
 };
 
-/// What one rank has done.
+/// The work of one rank.
 struct RankFigures {
     std::vector<double> seconds;
     std::uint64_t crossing = 0, bytes = 0;
@@ -104,7 +105,7 @@ Measured measure(const lts::TransitionSystem& system, const Count& count) {
     return result;
 }
 
-/// What else ran on the machine can only have made a time longer: of each rank and level the least one counts.
+/// Other programs on the machine can only increase a time, so the minimum for each rank and level counts.
 void take_least(Measured& kept, const Measured& again) {
     for (std::size_t rank = 0; rank < kept.seconds.size(); ++rank)
         for (std::size_t level = 0; level < kept.seconds[rank].size(); ++level)
@@ -122,7 +123,7 @@ void sum_up(Measured& measured) {
     }
 }
 
-/// The mean of the largest of P independent Poisson loads of this mean each.
+/// The expected maximum of P independent Poisson loads with this mean.
 double largest_load(double mean, unsigned ranks) {
     if (ranks == 1) return mean;
     const double spread = std::sqrt(mean);
@@ -140,11 +141,11 @@ double largest_load(double mean, unsigned ranks) {
 
 struct Network {
     const char* name;
-    double latency;         ///< s
+    double latency;         ///< seconds
     double seconds_a_byte;  ///< of a rank's share; 0: messages take no time
 };
 
-/// Seconds of all levels: the rank with most to do, its messages, and what the ranks agree on.
+/// Seconds of all levels: the rank with the most work, its messages, and the collective operations.
 double predicted(const std::vector<Width>& widths, unsigned ranks, double seconds_a_transition, double bytes_a_row,
                  const Network& network, double scale = 1) {
     double sum = 0;
@@ -176,7 +177,7 @@ void print_predictions(const Measured& alone, double a_transition, double bytes_
         }
 }
 
-/// All numbers of ranks in turn, so that each has its share of quiet moments.
+/// Measures all numbers of ranks in turn, so that a disturbance affects all of them.
 std::vector<Measured> measure_all(unsigned times, const lts::TransitionSystem& system,
                                   const std::vector<Count>& counts) {
     std::vector<Measured> all;

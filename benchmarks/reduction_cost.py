@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What the reduction of confluent taus costs where it may not pay: locks, monitors and schedulers of several sizes.
+"""The cost of the reduction of confluent taus for models where it may not pay off: locks, monitors and schedulers of several
+sizes.
 
-Writes the scripts, decides their assertions with and without --no-reduction, one thread, no cache, and prints for each the
-CPU seconds, the states and the ratio, then the largest and the median ratio. Exits with 1 if a verdict differs."""
+Writes the scripts and decides their assertions with and without --no-reduction, with one thread and no cache. Prints the
+CPU seconds, the states and the ratio for each, then the maximal and the median ratio. Exits with 1 if a verdict differs."""
 
 import argparse
 import json
@@ -14,7 +15,7 @@ from pathlib import Path
 
 from measured import run
 
-# Each family: text with N for its size, and the sizes.
+# Each family: its text with N for the size, and the sizes.
 FAMILIES = {
     "test_and_set": ((4, 6, 8), """
 T = {1..N}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scenario with more robots at the same density, for benchmarks that grow.
+// A scenario with more robots at the same density, for benchmarks of growing size.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace robochart {
 
-/// Arena, walls, lights and placements stretched with the root of the number of robots; neither bands nor pictures.
+/// Scales arena, walls, lights and placements with the square root of the number of robots; removes bands and pictures.
 [[nodiscard]] simulation::Scenario scaled(const simulation::Scenario&, std::uint32_t robots, double duration);
 
 }  // namespace robochart

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Searches with checkpoints, and with states on disk, beside the ordinary search (docs/search.md, "Out of core").
+"""Compares searches with checkpoints, and with states on disk, with the ordinary search (docs/search.md, "Out of core").
 
-Prints for each model the processor time as a ratio of the ordinary search, the memory at the peak above that of the
-program with its compiled components (the same run, ended after a thousand states) as such a ratio and in bytes a state,
-and, of states on disk, how often all were read through and how often the search went back. Of several rounds, which
-alternate, the least processor time counts. Exits with 1 if an answer or a number of states differs in any round, or
-the ordinary search gives no answer; with 77 without the models."""
+Prints for each model the processor time as a ratio of the ordinary search, and the peak memory above that of the program
+with its compiled components (the same run, ended after a thousand states), as such a ratio and in bytes per state. For
+states on disk it also prints how often all states were read and how often the search rolled back. The minimum processor
+time of several alternating rounds counts. Exits with 1 if an answer or a number of states differs in any round, or the
+ordinary search gives no answer; with 77 without the models."""
 
 import argparse
 import json

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Tunes both radii and the patience of swarm taxis from random starts, with `tune` and, where R has it, with irace at the
-same budget of trials, and judges what each finds, and the paper's values, on the scenario's own seeds.
+"""Tunes both radii and the patience of swarm taxis from random starts, with `tune` and, if R has it, with irace at the same
+budget of trials, and judges the results and the paper's values on the scenario's own seeds.
 
-scripts/tune_taxis.sh calls it. Both searches see the same costs: the time until the swarm arrives, or ten times the
+scripts/tune_taxis.sh calls it. Both searches use the same costs: the time until the swarm arrives, or ten times the
 scenario's duration. With ten repetitions of each, Wilcoxon's signed-rank test compares the costs on fresh seeds.
 """
 
@@ -32,7 +32,7 @@ def with_constants(constants):
 
 
 def with_bands(scenario):
-    """The scenario with a band in place of its claim: the JSON has when each trial arrives."""
+    """The scenario with a band in place of its claim, because the JSON then contains the arrival time of each trial."""
     text = scenario.read_text()
     text = re.sub(r"\taccept probability.*", f"\taccept each first(way <= 50 cm) <= {DURATION} s", text)
     bands = scenario.with_name("bands.scenario")
@@ -55,8 +55,8 @@ def tuned(program, scenario, budget, seed, out):
     return {name: value for name, value in result["elites"][0]["constants"].items()}
 
 
-# irace asks for one instance after the other; a candidate runs on BLOCK of them at once, so that its controller is built
-# and its model read once for all. irace counts and sees each trial by itself.
+# irace requests one instance after the other. Each candidate runs on BLOCK instances at once, so that its controller is
+# built and its model parsed only once. irace counts and sees single trials.
 BLOCK = 5
 RACE = """
 library(irace)
@@ -86,7 +86,7 @@ def has_irace():
 
 
 def by_irace(program, bands, budget, seed, folder):
-    """The best of irace; its target runner is this script with --block."""
+    """The best candidate of irace; its target runner is this script with --block."""
     space = "\n".join(f'{name} "" {kind} ({low}, {high})' for name, (kind, low, high) in PARAMETERS.items())
     text = RACE % (space, BLOCK, pathlib.Path(__file__).resolve(), program, bands, BLOCK)
     script = folder / "race.R"
@@ -113,7 +113,7 @@ def signed_rank(differences):
 
 
 def one_block(arguments):
-    """For irace: the costs of a block of instances, one a line."""
+    """For irace: the costs of a block of instances, one per line."""
     constants = dict(word.split("=", 1) for word in arguments.constants)
     # Seeds that neither the claims nor `tune` use.
     first = 900_000_000 + arguments.block * BLOCK

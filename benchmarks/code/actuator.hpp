@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every back end of the code benchmark drives: one register. With CHECK all stores are hashed in their order.
+// The register that every back end of the code benchmark writes. With CHECK, all stores are hashed in order.
 #pragma once
 
 #include <cstdint>

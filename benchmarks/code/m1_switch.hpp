@@ -1,5 +1,5 @@
-// Machine M1 of the code benchmark as one writes it by hand: a switch on the state, in it a switch on the
-// event; what a composite state does is asked after its children.
+// Machine M1 of the code benchmark as hand-written code: a switch on the state, with a nested switch on the event.
+// Transitions of a composite state are tried after those of its children.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Machine M2 of the code benchmark as one writes it by hand. Event 2 and 3: a time unit passes.
+// Machine M2 of the code benchmark as hand-written code. For events 2 and 3 a time unit passes.
 #pragma once
 
 #include <cstdint>

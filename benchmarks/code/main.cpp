@@ -1,8 +1,8 @@
-// Runs the back ends: with CHECK compares what they store over 20,000 random events, else times them against the
-// switch by hand, on a random stream of 65,536 events and on one that repeats after 16.
+// Runs the back ends. With CHECK it compares their stores over 20,000 random events. Otherwise it times them against the
+// hand-written switch, on a random stream of 65,536 events and on a stream that repeats after 16.
 //
-// Prints a line per machine and stream: nanoseconds a step of the switch, of the switch compiled once more, and of the
-// generated code.
+// Prints a line per machine and stream: nanoseconds per step of the switch, of the switch compiled a second time, and of
+// the generated code.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -39,7 +39,7 @@ struct Machine {
     const char* name;
     unsigned events;
     BackEnd by_hand;
-    BackEnd again;  ///< the switch compiled once more: what the noise is
+    BackEnd again;  ///< the switch compiled a second time, to show the noise
     BackEnd generated;
 };
 
@@ -88,7 +88,7 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-/// Nanoseconds a step: the median of the passes over the stream, the first ones apart.
+/// Nanoseconds per step: the median of the passes over the stream, without the first ones.
 double time(const BackEnd& end, const std::vector<std::uint8_t>& events) {
     alignas(16) Memory memory{};
     end.begin(memory.data());

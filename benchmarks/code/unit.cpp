@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One back end of one machine as a translation unit: a step that is not inlined, for an event known at run time only.
-// MACHINE m1 to m4, NAME its name in the generated HEADER, BACK_END switch, again or generated, GENERATED 1 for the
-// last; TICKS 1: events above 1 are time passing.
+// One back end of one machine as a translation unit: a step that is not inlined, for an event that is unknown at
+// compile time. MACHINE is m1 to m4, NAME its name in the generated HEADER, BACK_END switch, again or generated;
+// GENERATED is 1 for the last. TICKS 1: events above 1 are time units.
 #include <cstddef>
 #include <cstdint>
 
@@ -63,7 +63,7 @@ void OF_BACK_END(_begin)(void* state) {
 #endif
 
 #ifdef LOOP
-/// Here and not in the driver, so that the call is a direct one.
+/// In this unit and not in the driver, so that the call is direct.
 void OF_BACK_END(_run)(void* state, const std::uint8_t* events, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) OF_BACK_END(_step)(state, events[i]);
 }

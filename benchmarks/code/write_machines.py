@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes the machines of the code benchmark: each as a RoboChart model (../models) and as a nested switch (here).
 
-M1 two states, two events. M2 three states with a clock, two booleans, a during action. M3 three levels: 20 states, six
-of them composite, 40 transitions between siblings of which 12 are guarded, an entry, an exit and an action on
-everything, 8 events. M4 flat: 100 states, 200 transitions, 8 events. Every action is one store to an actuator.
-Usage: write_machines.py; the files it writes are kept with the sources.
+M1: two states, two events. M2: three states with a clock, two booleans, a during action. M3: three levels with 20
+states, six of them composite, 40 transitions between siblings of which 12 have guards, entry, exit and transition
+actions everywhere, 8 events. M4: flat, 100 states, 200 transitions, 8 events. Every action is one store to an actuator.
+Usage: write_machines.py; the generated files are stored with the sources.
 """
 import pathlib
 import random
@@ -130,7 +130,7 @@ def entries(state):
 
 
 def switch_case(way, lines, depth):
-    """The target's entries are known; the exits below a composite source are a switch of their own."""
+    """The entries of the target are constant; the exits below a composite source are in a separate switch."""
     tab = "    " * depth
     source, target = way.source, way.target
     if source.entry:
@@ -145,7 +145,7 @@ def switch_case(way, lines, depth):
 
 
 def switch_function(state, lines):
-    """A composite state's own transitions, for all leaves in it."""
+    """A composite state's own transitions, for all its leaves."""
     lines += ["", f"inline bool on_{state.path}(State& s, unsigned e) {{", "    switch (e) {"]
     switch_events(state, lines, 2)
     lines += ["        default: break;", "    }", "    return false;", "}"]
@@ -164,7 +164,7 @@ def switch_events(state, lines, depth):
 
 
 def source_acts(way):
-    """More happens than the action."""
+    """Whether there are exit or entry actions in addition to the action of the transition."""
     return way.source.entry or way.update
 
 
@@ -187,7 +187,7 @@ def leave_function(state, lines):
 
 
 def composites(states):
-    """Inner ones first."""
+    """Composite states, inner ones first."""
     return [found for state in states if state.children for found in composites(state.children) + [state]]
 
 
