@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The high-voltage controller checked again after small edits, with what earlier runs have kept: builds our command in
-# release form and nothing else (docs/benchmarks.md). --compare: each edit also from scratch, and the answers compared.
+# Checks the high-voltage controller again after small edits, with cached results of earlier runs: builds our command in
+# release form (docs/benchmarks.md). --compare: also checks each edit from scratch and compares the answers.
 # The model: ROBOCHART_SHARED/bench/hvc.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The checker's benchmark: builds the command in release form and nothing else, explores the models of benchmarks/models and
-# prints the figures with those of other tools: recorded ones, and measured ones if a tool is installed and
-# ROBOCHART_SHARED/bench/models has the models in its language (docs/benchmarks.md). Arguments are passed on: --quick, models.
+# The checker's benchmark: builds the command in release form, explores the models of benchmarks/models and prints the
+# figures with those of other tools. The latter are recorded; a tool is also measured if it is installed and
+# ROBOCHART_SHARED/bench/models has the models in its language (docs/benchmarks.md). Arguments are passed on: --quick,
+# models.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --preset release > /dev/null

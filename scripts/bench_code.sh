@@ -1,8 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Generated code against hand-written nested switches on four machines (docs/cpp.md, "Speed and size"): equality of hashes,
-# then sizes, compile time, and nanoseconds per step over random and repeating events, in several layouts of the program.
-# Usage: scripts/bench_code.sh [LAYOUTS [COMPILER [STRATEGY]]]; the command is build/release's or build/dev's, or VERIFY=PATH.
+# Compares generated code with hand-written nested switches on four machines (docs/cpp.md, "Speed and size"): equality
+# of hashes, then sizes, compile time, and nanoseconds per step over random and repeating events, in several layouts of
+# the program.
+# Usage: scripts/bench_code.sh [LAYOUTS [COMPILER [STRATEGY]]]. The command is that of build/release or build/dev, or
+# VERIFY=PATH.
 set -eu
 cd "$(dirname "$0")/.."
 verify=${VERIFY:-build/release/app/robochart-verify}

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Deadlock, divergence and determinism of every component of RoboTool's scripts: builds our command in release form
-# and nothing else, decides them all and prints time and memory (docs/benchmarks.md). Arguments are passed on: parts of
-# names of scripts. The scripts' folder: ROBOCHART_SHARED/suite/robotool-csp; the script of the case study in bench/hvc
-# is type checked beside them.
+# Deadlock, divergence and determinism of every component of RoboTool's scripts: builds our command in release form,
+# decides all assertions and prints time and memory (docs/benchmarks.md). Arguments are passed on: parts of names of
+# scripts. The scripts' folder: ROBOCHART_SHARED/suite/robotool-csp; the script of the case study in bench/hvc is also
+# type checked.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --preset release > /dev/null

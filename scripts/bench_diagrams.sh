@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# How long diagrams take, and how often their lines cross, beside ELK's layered layout on the same boxes: fetches the npm
-# package elkjs into a temporary folder, builds benchmark_diagrams, prints both (docs/benchmarks.md, "Diagrams").
-# Usage: scripts/bench_diagrams.sh [MODEL...]; the default: the corpus, the models of the tests, and those of
-# ROBOCHART_SHARED/suite and bench where that folder is there. Each file is read alone.
+# The time to draw diagrams, and the number of crossings compared with ELK's layered layout on the same boxes: fetches
+# the npm package elkjs into a temporary folder, builds benchmark_diagrams, prints both (docs/benchmarks.md,
+# "Diagrams").
+# Usage: scripts/bench_diagrams.sh [MODEL...]. The default is the corpus, the models of the tests, and those of
+# ROBOCHART_SHARED/suite and bench if this folder exists. Each file is loaded alone.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --preset release -DROBOCHART_BENCHMARKS=ON >/dev/null

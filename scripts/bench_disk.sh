@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Searches with checkpoints and with states on disk beside the ordinary one: builds our command in release form and
-# nothing else (docs/search.md, "Out of core"). Arguments: SCRIPT:NUMBER of assertions, instead of phils8 and milner18.
+# Compares searches with checkpoints and with states on disk with the ordinary one: builds our command in release form
+# (docs/search.md, "Out of core"). Arguments: SCRIPT:NUMBER of assertions; the default is phils8 and milner18.
 # The models: ROBOCHART_SHARED/bench.
 set -euo pipefail
 cd "$(dirname "$0")/.."

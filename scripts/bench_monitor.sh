@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What a monitor beside every controller adds to a robot's step, in both case studies, with 20 and with 100 robots: both
-# variants in one process and one thread, a block of steps each in turn, CPU time (benchmarks/monitor_benchmark.cpp).
+# The cost that a monitor for every controller adds to a robot's step, in both case studies, with 20 and with 100
+# robots. Both variants run in one process and one thread, in alternating blocks of steps; CPU time
+# (benchmarks/monitor_benchmark.cpp).
 # Usage: scripts/bench_monitor.sh [ROUNDS]
 set -euo pipefail
 cd "$(dirname "$0")/.."

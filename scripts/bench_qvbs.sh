@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The Quantitative Verification Benchmark Set (docs/benchmarks.md): builds our command in release form and nothing else, decides its properties
-# and compares with its values. Arguments are passed on: --jobs N, --only TEXT, --exact STATES. The folder: ROBOCHART_SHARED/suite/prism/qvbs.
+# The Quantitative Verification Benchmark Set (docs/benchmarks.md): builds our command in release form, decides its
+# properties and compares with its values. Arguments are passed on: --jobs N, --only TEXT, --exact STATES. The folder:
+# ROBOCHART_SHARED/suite/prism/qvbs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --preset release > /dev/null

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Searches by levels with threads as ranks on wide spaces and on the high-voltage controller's narrow one (docs/scale.md):
-# critical path, bytes and messages, memory, with one rank a program and with several, and what the model predicts. Needs ROBOCHART_SHARED/bench.
+# Level searches with threads as ranks on wide state spaces and on the high-voltage controller's narrow one
+# (docs/scale.md): critical path, bytes and messages, memory, with one or several ranks per program, and the prediction
+# of the model. Needs ROBOCHART_SHARED/bench.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bench="${ROBOCHART_SHARED:-../shared}/bench"

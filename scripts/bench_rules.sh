@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# A rule in SLEEC about a model, by `rules` and in SLEEC-TK's published encoding (docs/benchmarks.md): builds our command in release form and
-# nothing else. Arguments are passed on: --values N, --limit STATES.
+# A SLEEC rule about a model, with `rules` and in SLEEC-TK's published encoding (docs/benchmarks.md): builds our command
+# in release form. Arguments are passed on: --values N, --limit STATES.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --preset release > /dev/null

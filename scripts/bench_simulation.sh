@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Robot-steps a CPU second of the embedded world and of Enki in one run, the generated controller included
+# Robot steps per CPU second of the embedded world and of Enki in one run, including the generated controller
 # (docs/benchmarks.md). Needs libenki-dev.
 set -euo pipefail
 cd "$(dirname "$0")/.."

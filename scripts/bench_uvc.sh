@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The probabilities of the UVC case study (docs/benchmarks.md): builds our command in release form and nothing else, decides
-# them and compares with the reference. Arguments are passed on: --jobs N. The folder: ROBOCHART_SHARED/suite/prism/uvc.
+# The probabilities of the UVC case study (docs/benchmarks.md): builds our command in release form, decides them and
+# compares with the reference. Arguments are passed on: --jobs N. The folder: ROBOCHART_SHARED/suite/prism/uvc.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --preset release > /dev/null

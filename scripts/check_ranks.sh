@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Searches by ranks against the ordinary search (docs/scale.md):
+# Compares searches by ranks with the ordinary search (docs/scale.md):
 #   scripts/check_ranks.sh           threads as 1, 2, 3, 4 and 8 ranks, and as two and three programs of two ranks each, on
 #                                    the scripts of the tests and of ROBOCHART_SHARED
-#   scripts/check_ranks.sh --mpirun  2 and 4 real programs, and 2 with two threads each, on ten scripts; searches that are
-#                                    kept in files, ended and gone on with; and every way in which all end
+#   scripts/check_ranks.sh --mpirun  2 and 4 real programs, and 2 with two threads each, on ten scripts; searches with
+#                                    checkpoints that are ended and resumed; and every documented way to end ranks
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --preset release -DROBOCHART_TESTS=ON > /dev/null

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Figures of the code base: folders, cycles of units, classes, functions' comments. docs/benchmarks.md quotes them.
+"""Figures of the code base: folders, cycles of units, classes, comments of functions. docs/benchmarks.md quotes them.
 
-Usage: scripts/code_figures.py [FOLDER]   (default: the project; any other source tree with the same habits works)
+Usage: scripts/code_figures.py [FOLDER]   (default: the project; works for other source trees with the same conventions)
 """
 import collections
 import os
@@ -25,7 +25,7 @@ def is_program(path):
 
 
 def strong_components(edges):
-    """Tarjan (1972), with a stack of its own."""
+    """Tarjan (1972), with an explicit stack."""
     number, low, open_, result = {}, {}, [], []
     for root in edges:
         path = [(root, iter(edges[root]))] if root not in number else []

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Prints diagrams/layout/font_tables.cpp: the advance widths of DejaVu Sans and DejaVu Sans Bold, as their tables `cmap`
-and `hmtx` state them (OpenType). Debian: fonts-dejavu-core."""
+"""Prints diagrams/layout/font_tables.cpp: the advance widths of DejaVu Sans and DejaVu Sans Bold, from their tables `cmap`
+and `hmtx` (OpenType). Debian: fonts-dejavu-core."""
 import struct
 import sys
 
@@ -14,7 +14,7 @@ def number(data, at, size=2):
 
 
 def widths(path):
-    """The units of an em, and the width of every character of the basic plane."""
+    """The units per em, and the width of every character of the basic plane."""
     data = open(path, "rb").read()
     tables = {}
     for i in range(number(data, 4)):

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Fuzzes with libFuzzer, AddressSanitizer and UndefinedBehaviorSanitizer, and prints a summary.
-# Arguments: CPU seconds a target (default 600), then the targets (default: all). Failing inputs are kept in
-# build/fuzz/found/TARGET; the inputs that reach new code gather in build/fuzz/corpus/TARGET.
+# Arguments: CPU seconds per target (default 600), then the targets (default: all). Failing inputs are stored in
+# build/fuzz/found/TARGET, and inputs that reach new code in build/fuzz/corpus/TARGET.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 seconds="${1:-600}"
@@ -25,7 +25,7 @@ gather() {
   done
 }
 
-# The examples of the pages of rules.
+# The examples in the pages of rules.
 examples() {
   awk -v out="$seeds/model/rule" '
     /^```robochart/ { file = sprintf("%s-%04d.rct", out, ++count); next }
@@ -55,8 +55,8 @@ generated() {
   echo "no robochart-verify is built: the scripts of the corpus are left out" >&2
 }
 
-# Sessions with an editor: models under a first line of questions and changes, alone and divided by form feeds from
-# what uses them (tests/fuzz/targets/editor.cpp).
+# Sessions with an editor: models after a first line with requests and changes, alone and followed by a form feed and
+# files that use them (tests/fuzz/targets/editor.cpp).
 sessions() {
   local steps=tests/fuzz/regressions/editor/while_typed.txt file
   mkdir -p "$seeds/editor"
@@ -85,7 +85,7 @@ examples
 generated
 sessions
 
-# One run of at most so many seconds; adds its CPU seconds and executions to `spent` and `executions`.
+# One run with a limit in seconds; adds its CPU seconds and executions to `spent` and `executions`.
 run() {
   local target="$1" limit="$2" log="build/fuzz/$1.log" dictionary="tests/fuzz/robochart.dict" code=0
   [ "$target" != script ] || dictionary="tests/fuzz/cspm.dict"
@@ -100,7 +100,7 @@ run() {
   return "$code"
 }
 
-# On a machine that is shared a run gets less CPU time than it lasts: the rest is run again.
+# On a shared machine a run gets less CPU time than its duration, so it is run again for the rest.
 status=0
 for target in "${targets[@]}"; do
   mkdir -p "build/fuzz/corpus/$target" "build/fuzz/found/$target"

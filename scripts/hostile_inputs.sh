@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Mutates the models and scripts of the repository (and of ../shared, where it is) and runs the whole command on them.
-# scripts/hostile_inputs.sh [INPUTS [FIRST_SEED]], by default 30,000 from a new seed, which it prints. An input that violates a property
-# is kept in build/hostile/SEED (tests/fuzz/whole_command.py lists the properties).
+# Mutates the models and scripts of the repository (and of ../shared, if it exists) and runs the whole command on them.
+# scripts/hostile_inputs.sh [INPUTS [FIRST_SEED]], by default 30,000 from a new seed, which it prints. An input that
+# violates a property is stored in build/hostile/SEED (tests/fuzz/whole_command.py lists the properties).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 inputs="${1:-30000}"

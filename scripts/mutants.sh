@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Mutation analysis of the C++ generator: every kind of seeded fault at every place of every model of the tests, each compared
-# with its model; prints one line for each kind and each model (mutants, killed, shown equivalent, variants the model
-# allows), what killed them, and how long the shortest differences are. Builds the tests of the component in release form first.
+# Mutation analysis of the C++ generator: every kind of seeded fault at every place of every model of the tests, each
+# compared with its model. Prints one line for each kind and each model (mutants, killed, shown equivalent, variants
+# that the model allows), what killed them, and the lengths of the shortest differences. First builds the tests of the
+# component in release form.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --preset release -DROBOCHART_TESTS=ON > /dev/null

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Makes build/package/packages/*.deb and *.tar.gz, and tries both: the archive unpacked in a temporary folder and run from
-# another one in an empty environment; the package installed in a fresh Debian 12, made with mmdebstrap where that is there.
-# Without it the package is unpacked and its libraries are looked up. Prints the seconds from install to verdict.
+# Makes build/package/packages/*.deb and *.tar.gz, and tests both. The archive is unpacked in a temporary folder and run
+# from another one in an empty environment. The package is installed in a fresh Debian 12, made with mmdebstrap if this
+# is available; otherwise the package is unpacked and its libraries are looked up. Prints the seconds from installation
+# to verdict.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 sources="$PWD"
@@ -21,7 +22,7 @@ seconds_since() { # nanoseconds of `date`
   printf '%d.%02d' $(( passed / 1000000000 )) $(( passed / 10000000 % 100 ))
 }
 
-# Verdicts without a compiler, the reason, exit 3; with one, everything.
+# Without a compiler: verdicts, the reason, and exit code 3. With a compiler: everything.
 try() { # prefix
   local examples="$1/share/doc/robochart-verify/examples" status=0
   env -i "$1/bin/robochart-verify" check "$examples/aggregation" -q

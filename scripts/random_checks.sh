@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The refinement checker against the naive one of the tests, on random processes (docs/testing.md):
-#   scripts/random_checks.sh [CHECKS [SEED]]           default: 10000 checks in random ways, as many by whole scripts
+# Compares the refinement checker with the naive one of the tests, on random processes (docs/testing.md):
+#   scripts/random_checks.sh [CHECKS [SEED]]           default: 10000 checks with random options, and as many with scripts
 #   scripts/random_checks.sh --command [SCRIPTS [SEED]]  default: 10000 scripts through the whole command
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Random models from a seed on: C++ is generated for each, compiled with warnings as errors, explored over all inputs and
-# compared with the model's semantics; prints the outcomes, and each cause of a disagreement with a small model.
-# Builds the tests of the component in release form first.
-# Arguments: how many models (default 100000), the first seed (default 0), the compiler (default c++).
-# ROBOCHART_MODELS says which models: widened (default), core, toolkits, hostile (tests/conformance/random/random_shapes.hpp);
-# ROBOCHART_JOBS the number of processes (default: one for each processor). Seeds are processed in ranges of 500; results are kept
-# below build/random_conformance for the current program, so that an interrupted run continues where it stopped.
-# A single model that disagrees is shrunk (`scripts/random_conformance.sh 1 SEED`).
+# Generates C++ for random models, compiles it with warnings as errors, explores it over all inputs and compares it with
+# the model's semantics. Prints the outcomes, and each cause of a disagreement with a small model. First builds the
+# tests of the component in release form.
+# Arguments: the number of models (default 100000), the first seed (default 0), the compiler (default c++).
+# ROBOCHART_MODELS selects the models: widened (default), core, toolkits, hostile
+# (tests/conformance/random/random_shapes.hpp). ROBOCHART_JOBS is the number of processes (default: one for each
+# processor). Seeds are processed in ranges of 500; results are stored below build/random_conformance for the current
+# program, so that an interrupted run continues where it stopped. A single model that disagrees is shrunk
+# (`scripts/random_conformance.sh 1 SEED`).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 models="${1:-100000}"
@@ -23,10 +24,10 @@ built=build/release/tests/conformance/tests_conformance
 version="$(sha256sum "$built" | cut -c1-12)"
 export results="build/random_conformance/$ROBOCHART_MODELS-$(basename "$ROBOCHART_COMPILER")-$version"
 mkdir -p "$results"
-export program="$results/program"  # a build in the meantime changes nothing here
+export program="$results/program"  # later builds do not affect this run
 [ -x "$program" ] || cp "$built" "$program"
 
-# One range: its report has its final name once it is complete.
+# One range; its report gets its final name when it is complete.
 one_range() {
   local from="$1" count="$2" report="$results/$1-$2.report"
   [ ! -f "$report" ] || return 0
@@ -72,7 +73,7 @@ cat "${wanted[@]}" | awk '
     close("sort -k5")
   }'
 
-# Disagreements, and for each cause one small model. A cause is what is reported, without names and numbers.
+# Disagreements, and a small model for each cause. A cause is the report without names and numbers.
 found="$(cat "${wanted[@]}" | grep '^disagreement ' || true)"
 [ -z "$found" ] || echo "$found"
 one_of_each() { awk '{ cause = $0; gsub(/[0-9]/, "", cause); cause = substr(cause, 1, 75) } !seen[cause]++ { print $2 }'; }

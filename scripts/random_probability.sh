@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The Markov models of random models of RoboChart (docs/testing.md): the decision process of the timed semantics is branching
-# bisimilar to the process that is checked for refinement, fewer schedulers lie within all, and RoboTool's chain lies between
-# the schedulers of its text. Builds the tests of the component in release form first.
-# Arguments: how many models (default 1000), the first seed (default 0).
+# The Markov models of random RoboChart models (docs/testing.md). The decision process of the timed semantics is
+# branching bisimilar to the process that is checked for refinement, the values of restricted schedulers are within the
+# bounds for all schedulers, and RoboTool's chain is between the schedulers of its text. First builds the tests of the
+# component in release form.
+# Arguments: the number of models (default 1000), the first seed (default 0).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --preset release -DROBOCHART_TESTS=ON > /dev/null

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Conflicts of random sets of SLEEC rules, by the analysis and by the naive enumeration of the tests (docs/testing.md):
+# Compares the analysis of conflicts with the naive enumeration of the tests, on random sets of SLEEC rules
+# (docs/testing.md):
 #   scripts/random_rules.sh [CHECKS [SEED]]           default: 10000 sets
 set -euo pipefail
 cd "$(dirname "$0")/.."

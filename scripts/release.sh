@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Prepares a release: checks that the versions agree, runs all tests, builds and tries the packages, and prints the command
-# that sets the tag. Changes nothing in the repository. `scripts/release.sh --check` only compares the versions.
+# Prepares a release: checks that the versions agree, runs all tests, builds and tests the packages, and prints the
+# command that sets the tag. Changes nothing in the repository. `scripts/release.sh --check` only compares the versions.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

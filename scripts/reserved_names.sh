@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Makes cpp_emit/reserved/macros.txt and globals.txt from the headers below, with every compiler that is here; names that
-# are in the lists already stay, so that the lists can be made on several systems. Run it in the project's folder.
+# Generates cpp_emit/reserved/macros.txt and globals.txt from the headers below, with every installed compiler. Names
+# that are already in the lists stay, so that lists of several systems can be combined. Run it in the project's folder.
 set -e
 lists=cpp_emit/reserved
 work=$(mktemp -d)
@@ -13,7 +13,7 @@ for compiler in g++ clang++; do
         $compiler -std=$standard -D_GNU_SOURCE -dM -E -x c++ "$work/all.hpp" | awk '{print $2}' | sed 's/(.*//' >> "$work/macros"
     done
 done
-# At the outermost level of the C headers: what is declared there, and the enumerators.
+# The names that C headers declare at the top level, and enumerators.
 sed -n -e 's/<c\(assert\|ctype\|errno\|fenv\|float\|inttypes\|limits\|locale\|math\|setjmp\|signal\|stdarg\|stddef\|stdint\|stdio\|stdlib\|string\|time\|uchar\|wchar\|wctype\)>/<\1.h>/' \
     -e '/\.h>/p' "$work/all.hpp" | sort -u > "$work/all.h"
 for compiler in gcc clang; do

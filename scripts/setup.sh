@@ -20,7 +20,8 @@ case "${1:-tests}" in
       libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libenki-dev
       librsvg2-bin graphviz pngcheck poppler-utils  # these programs read the pictures that the tests draw
     )
-    # For the tests of editors/vscode. A Node.js from elsewhere serves as well, and conflicts with Debian's.
+    # For the tests of editors/vscode. A Node.js from another source is used if present, because it conflicts with
+    # Debian's.
     command -v npm >/dev/null || packages+=(nodejs npm)
     if [ -n "${CI:-}" ]; then
       packages+=(gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib)  # the embedded profile: 0.4 GB to fetch, 2.5 GB on disk

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Installs missing packages, builds, runs the aggregation case study and the tests.
-#   scripts/test.sh            all tests with g++ in release form; then, with clang, AddressSanitizer and
-#                              UndefinedBehaviorSanitizer, those of the components that read foreign text and that decide
+#   scripts/test.sh            all tests with g++ in release form; then with clang, AddressSanitizer and
+#                              UndefinedBehaviorSanitizer those of the components that parse foreign text and that decide
 #   scripts/test.sh --quick    the command, and the tests of the rules' examples and of the project's own rules
 #   scripts/test.sh PRESET...  all tests with these presets, for example asan
 set -euo pipefail

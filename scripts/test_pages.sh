@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What needs a browser and is none of C++: the preview of editors/vscode with pictures of the real server; the pages that
-# --html writes, held to the rules of axe-core in light and dark colours; and what `draw --format mermaid` writes, read by
-# Mermaid's own parser. Arguments: the command (default: the release build's), a folder for what is made (default:
-# build/pages). Both npm packages are fetched into that folder, without what they depend on, and never shipped.
-# Without Chromium, node, npm or a reachable registry it prints the reason and exits with 77 (skipped).
+# Tests that need a browser and no C++: the preview of editors/vscode with pictures from the real server; the pages that
+# --html writes, checked with the rules of axe-core in light and dark colours; and the output of `draw --format
+# mermaid`, parsed by Mermaid's own parser. Arguments: the command (default: that of the release build), a folder for
+# the output (default: build/pages). Both npm packages are fetched into that folder, without their dependencies, and
+# never shipped. Without Chromium, node, npm or a reachable registry it prints the reason and exits with 77 (skipped).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 verify="$(realpath "${1:-build/release/app/robochart-verify}")"
@@ -42,7 +42,7 @@ drawn="$made/drawn"
 rm -rf "$pages" "$drawn"
 mkdir -p "$pages" "$drawn"
 
-# page NAME ARGUMENTS...: a page; that claims fail is what they are there for.
+# page NAME ARGUMENTS...: generates a page; its claims are expected to fail.
 page() {
   local status=0
   "$verify" "${@:2}" --html "$pages/$1.html" >"$pages/$1.txt" 2>&1 || status=$?

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Tests the VS Code extension: a copy of editors/vscode with its npm packages, then `npm test`.
-# Argument: the folder for the copy (default: build/vscode).
-# Without node, npm or a reachable registry it prints the reason; exit code 77 (skipped), or 1 in CI (where CI is set).
+# Tests the VS Code extension: a copy of editors/vscode with its npm packages, then `npm test`. Argument: the folder for
+# the copy (default: build/vscode). Without node, npm or a reachable registry it prints the reason and exits with 77
+# (skipped), or with 1 in CI (if CI is set).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 copy="${1:-build/vscode}"

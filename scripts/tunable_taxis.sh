@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# A copy of corpus/swarm_taxis in which both radii and the patience are constants, for `tune`: scripts/tunable_taxis.sh FOLDER
-# The claims in blocks of CSP name its processes without these constants; they are left out.
+# Copies corpus/swarm_taxis to FOLDER, with both radii and the patience as constants, for `tune`:
+# scripts/tunable_taxis.sh FOLDER
+# The assertions in CSP blocks are removed, because they name its processes without these constants.
 set -eu
 folder=${1:?"a folder that is not there yet"}
 cp -r "$(dirname "$0")/../corpus/swarm_taxis" "$folder"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Tunes swarm taxis beside the values of the paper and, where it is installed, beside irace at the same budget
-# (docs/emergence.md, "Tuning"): builds our command in release form and nothing else. Arguments are passed on:
-# --budget N --repetitions N --fresh N.
+# Tunes swarm taxis and compares with the values of the paper and, if it is installed, with irace at the same budget
+# (docs/emergence.md, "Tuning"): builds our command in release form. Arguments are passed on: --budget N --repetitions N
+# --fresh N.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --preset release > /dev/null

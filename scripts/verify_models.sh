@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What the GitHub action runs: the verb VERB over the models in MODEL with the options in OPTIONS, one a line each; with
-# JUNIT the verdicts go to that file, and the exit code is that of the verb. Words are passed as they are.
+# Called by the GitHub action: runs the verb VERB on the models in MODEL with the options in OPTIONS, one per line. With
+# JUNIT the verdicts go to that file, and the exit code is that of the verb. Words are passed unchanged.
 set -euo pipefail
 mapfile -t models < <(printf '%s\n' "${MODEL:?no model is named}" | sed '/^[[:space:]]*$/d')
 mapfile -t options < <(printf '%s\n' "${OPTIONS:-}" | sed '/^[[:space:]]*$/d')

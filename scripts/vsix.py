@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Puts the VS Code extension and the program into one .vsix for linux-x64, which needs nothing else.
+"""Packs the VS Code extension and the program into one .vsix for linux-x64 that needs no other files.
 
 Usage: scripts/vsix.py [--program FILE] [--modules FOLDER] [--out FILE]
   --program   robochart-verify as it is shipped (default: build/package/app/robochart-verify, made by scripts/package.sh)
-  --modules   node_modules with what the client needs (default: `npm ci --omit=dev` in build/vsix, which needs a registry)
+  --modules   node_modules with the client's dependencies (default: `npm ci --omit=dev` in build/vsix, which needs a registry)
   --out       default: build/robochart-linux-x64.vsix
 
 A .vsix is a zip of the extension, a manifest and a list of content types. The same inputs give the same bytes.
-Exit code 1, with the reason, if something is missing, or if the client has more than 500 kB or the whole more than 20 MB.
+Exits with 1 and the reason if a file is missing, or if the client has more than 500 kB or the whole more than 20 MB.
 """
 import argparse
 import json
@@ -72,7 +72,7 @@ def files_of(folder, left_out):
 
 
 def is_needed(name):
-    """Of a package only what Node runs, and its licence."""
+    """Selects the files of a package that Node runs, and its licence."""
     return name.endswith((".js", "package.json")) or "license" in os.path.basename(name).lower()
 
 
@@ -97,7 +97,7 @@ def manifest_of(package):
 
 
 def content_types(names):
-    """Each extension has a type; files without one are named."""
+    """A content type for each extension; files without an extension are listed by name."""
     types = {".json": "application/json", ".js": "application/javascript", ".md": "text/markdown",
              ".png": "image/png", ".css": "text/css", ".vsixmanifest": "text/xml"}
     lines = set()
@@ -112,7 +112,7 @@ def content_types(names):
 def add(archive, name, data, mode=0o644):
     """The packed size."""
     entry = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
-    entry.create_system = 3  # Unix: the mode counts
+    entry.create_system = 3  # Unix, so that the mode is used
     entry.external_attr = (0o100000 | mode) << 16
     entry.compress_type = zipfile.ZIP_DEFLATED
     archive.writestr(entry, data, compresslevel=9)
