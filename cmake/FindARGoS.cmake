@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# ARGoS 3 (https://github.com/ilpincy/argos3), built from its sources; -DARGoS_ROOT=PREFIX where it is installed elsewhere
-# than in the system. ARGoS' own configuration changes compiler flags and stops with an error in other prefixes, so its
-# header and libraries are looked for here. Gives ARGoS_FOUND, ARGoS_LIBRARY_DIR and the target ARGoS::ARGoS: the core and the
-# plugins for e-pucks, of which some register themselves only, so that nothing refers to them.
+# ARGoS 3 (https://github.com/ilpincy/argos3), built from its sources; -DARGoS_ROOT=PREFIX selects an installation
+# outside the system's folders. ARGoS' own configuration changes compiler flags and fails for other prefixes, so this
+# module searches the header and the libraries. Sets ARGoS_FOUND, ARGoS_LIBRARY_DIR and the target ARGoS::ARGoS: the
+# core and the plugins for e-pucks. Some plugins only register themselves and have no symbols that the program
+# references.
 find_path(ARGoS_INCLUDE_DIR argos3/core/simulator/simulator.h)
 find_library(ARGoS_LIBRARY argos3core_simulator PATH_SUFFIXES argos3)
 set(argos_plugins epuck genericrobot dynamics2d media entities)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Enki (https://github.com/enki-community/enki), Debian: libenki-dev. Enki's own configuration asks for Qt even where no
-# viewer is wanted, so its header and library are looked for here. Gives Enki_FOUND and the target Enki::Enki.
+# Enki (https://github.com/enki-community/enki), Debian: libenki-dev. Enki's own configuration requires Qt even without
+# the viewer, so this module searches the header and the library. Sets Enki_FOUND and the target Enki::Enki.
 find_path(Enki_INCLUDE_DIR enki/PhysicalEngine.h)
 find_library(Enki_LIBRARY enki)
 include(FindPackageHandleStandardArgs)

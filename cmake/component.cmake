@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# A component is a folder; its sub-folders are named in the order in which they depend on each other (docs/architecture.md).
-# Sources are found by name: a file belongs to the folder that it lies in.
+# A component is a folder. Its subfolders are listed in the order of their dependencies (docs/architecture.md). Sources
+# are found by their folder.
 
-# sources_of(RESULT FOLDER ...): the .cpp files of these folders below the current one, "." for itself.
+# sources_of(RESULT FOLDER ...): the .cpp files of these folders below the current one, "." for the current one.
 function(sources_of result)
   set(found "")
   foreach(folder ${ARGN})
@@ -15,16 +15,16 @@ function(sources_of result)
   set(${result} ${found} PARENT_SCOPE)
 endfunction()
 
-# unite(TARGET FOLDER ...): with ROBOCHART_UNITY the sources of a folder are compiled in groups of at most a dozen, each with
-# one reading of the headers that they share; folders never mix.
+# unite(TARGET FOLDER ...): with ROBOCHART_UNITY the sources of a folder are compiled in groups of at most a dozen, each
+# of which parses the common headers once. Folders are never mixed.
 function(unite target)
   if(NOT ROBOCHART_UNITY)
     return()
   endif()
   set(most 12)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # To the first of these warnings a source that is included is a header; the second finds names of other sources. The builds
-  # without ROBOCHART_UNITY have both.
+  # The first of these warnings treats an included source as a header; the second finds names of other sources. Builds
+  # without ROBOCHART_UNITY use both.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage> -Wno-shadow)
   foreach(folder ${ARGN})
     sources_of(sources ${folder})
@@ -40,12 +40,12 @@ function(unite target)
   endforeach()
 endfunction()
 
-# Optimising tests took half of a cold build, and their own code takes little time to run.
+# Optimisation of tests took half of a cold build, and their own code takes little time to run.
 set(test_options -O0)
 
-# robochart_component(NAME [LIGHT] [TESTS] FOLDERS ... [SOURCES made files ...] DEPENDS ...): a static library, robochart_NAME.
-# LIGHT: its work is little beside that of the engine, so a release optimises it less: a quarter of its compile time.
-# TESTS: only tests use it, and it is compiled as they are.
+# robochart_component(NAME [LIGHT] [TESTS] FOLDERS ... [SOURCES generated files ...] DEPENDS ...): a static library,
+# robochart_NAME. LIGHT: it does little of the work at run time, so release builds optimise it less, which saves a
+# quarter of its compile time. TESTS: only tests use it, and it has their compile options.
 function(robochart_component name)
   cmake_parse_arguments(COMPONENT "LIGHT;TESTS" "" "FOLDERS;SOURCES;DEPENDS" ${ARGN})
   sources_of(sources ${COMPONENT_FOLDERS})
@@ -60,8 +60,8 @@ function(robochart_component name)
   endif()
 endfunction()
 
-# robochart_tests(NAME FOLDERS ... [ALONE folders ...] [SOURCES more files ...] DEPENDS ...): a GoogleTest program, tests_NAME.
-# ALONE: folders whose sources use the same names for different things; they are compiled one by one.
+# robochart_tests(NAME FOLDERS ... [ALONE folders ...] [SOURCES more files ...] DEPENDS ...): a GoogleTest program,
+# tests_NAME. ALONE: folders whose sources use the same names with different meanings; they are compiled one by one.
 function(robochart_tests name)
   cmake_parse_arguments(TESTS "" "" "FOLDERS;ALONE;SOURCES;DEPENDS" ${ARGN})
   set(sources "")
@@ -78,8 +78,8 @@ function(robochart_tests name)
   gtest_discover_tests(tests_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 600)
 endfunction()
 
-# robochart_embed_texts(RESULT FOLDER folder HEADER header NAMESPACE n FUNCTION f): a source that builds the files of a folder
-# below the current one into the program (embed_texts.cmake); its path is in RESULT.
+# robochart_embed_texts(RESULT FOLDER folder HEADER header NAMESPACE n FUNCTION f): generates a source that contains the
+# files of a folder below the current one (embed_texts.cmake); RESULT receives its path.
 function(robochart_embed_texts result)
   cmake_parse_arguments(EMBED "" "FOLDER;HEADER;NAMESPACE;FUNCTION" "" ${ARGN})
   set(folder ${CMAKE_CURRENT_SOURCE_DIR}/${EMBED_FOLDER})

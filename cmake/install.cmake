@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# What is installed beside the program and the libraries of the language: man page, completions, licences, examples, the
-# documents; and a target that removes what was installed. Headers of generated code are not: they are built into the program,
-# which writes them with the code.
+# Installs the man page, completions, licences, examples and documents, in addition to the program and the libraries of
+# the language; also a target that removes installed files. Headers of generated code are not installed: they are
+# embedded in the program, which writes them with the code.
 include(GNUInstallDirs)
 
-# At configuration, so that `cmake --install` needs nothing but the program.
+# At configuration, so that `cmake --install` needs only the program.
 set(man_page ${CMAKE_SOURCE_DIR}/docs/robochart-verify.1)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${man_page})
 find_program(GZIP_PROGRAM gzip REQUIRED)
@@ -30,6 +30,6 @@ include(\"${CMAKE_SOURCE_DIR}/cmake/install_pages.cmake\")")
 add_custom_target(uninstall COMMAND ${CMAKE_COMMAND} -DMANIFEST=${CMAKE_BINARY_DIR}/install_manifest.txt
                   -P ${CMAKE_SOURCE_DIR}/cmake/uninstall.cmake VERBATIM)
 
-# `find_package(robochart-verify)` of other projects: a function that adds tests (docs/ci.md).
+# `find_package(robochart-verify)` for other projects: a function that adds tests (docs/ci.md).
 install(FILES ${CMAKE_SOURCE_DIR}/cmake/robochart-verify-config.cmake
         DESTINATION ${CMAKE_INSTALL_DATADIR}/robochart-verify/cmake)

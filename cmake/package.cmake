@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Packages: `cpack` in a build tree of the preset `package` makes a .deb and a .tar.gz that can be unpacked anywhere.
-# scripts/package.sh does so, and tries both.
+# scripts/package.sh runs it and tests both.
 set(CPACK_GENERATOR "TGZ;DEB")
 set(CPACK_PACKAGE_CONTACT "The robochart-verify project")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "verification of RoboChart models")
@@ -21,7 +21,7 @@ refines the semantics. Decides the assertions of CSPM scripts too.
 .
 Comparing generated code with its model (conform) and simulating (simulate)
 need a C++ compiler; everything else works without.")
-# Of the libraries that the program needs: the C library alone where ROBOCHART_PORTABLE is on.
+# Computes the packages of the required libraries: only the C library if ROBOCHART_PORTABLE is on.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "librsvg2-bin, ffmpeg")

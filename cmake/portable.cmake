@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-# With ROBOCHART_PORTABLE the program needs no library but the C library: libstdc++, libgcc, libsodium and Expat are linked statically,
-# and fmt, of which Debian has a shared library alone, is compiled from its headers. ROBOCHART_FMT is what to link. Generated
-# code that the program loads brings the libstdc++ of its compiler: the interface between the two is C, and no exception and
-# no type of C++ crosses it.
+# With ROBOCHART_PORTABLE the program needs only the C library. libstdc++, libgcc, libsodium and Expat are linked
+# statically. fmt, for which Debian has only a shared library, is compiled from its headers. ROBOCHART_FMT is the
+# library to link. Generated code that the program loads contains the libstdc++ of its compiler: the interface between
+# the two is C, and no exception and no C++ type crosses it.
 set(ROBOCHART_FMT fmt::fmt)
 if(ROBOCHART_PORTABLE)
   if(NOT fmt_VERSION MATCHES "^9\\.")
     message(FATAL_ERROR "ROBOCHART_PORTABLE knows what the library of fmt 9 defines; this is fmt ${fmt_VERSION}")
   endif()
-  # What the headers declare and the library defines; the instantiations are those that the headers call `extern template`
-  # or leave to it.
+  # The definitions of functions that the headers declare, and the instantiations that they declare `extern template` or
+  # leave to the library.
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/fmt.cpp CONTENT [[
 #include <fmt/format-inl.h>
 
@@ -25,12 +25,12 @@ FMT_END_NAMESPACE
 ]])
   add_library(robochart_fmt STATIC ${CMAKE_BINARY_DIR}/fmt.cpp)
   target_compile_options(robochart_fmt PRIVATE -w)
-  # The same words on the command lines of the compiler as with the shared library, so that objects are the same.
+  # The same compile options as with the shared library, so that objects are identical.
   target_compile_definitions(robochart_fmt PUBLIC FMT_SHARED)
   set(ROBOCHART_FMT robochart_fmt)
   find_library(SODIUM_LIBRARY libsodium.a REQUIRED)
-  # Debian's libexpat.a takes the seed of its tables from a function that the C library has since 2.36; with this one the
-  # program starts on older systems too.
+  # Debian's libexpat.a seeds its tables with a function that is only in the C library since 2.36. With this definition
+  # the program also starts on older systems.
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/arc4random_buf.cpp CONTENT [[
 #include <sys/random.h>
 
@@ -55,6 +55,6 @@ extern "C" void arc4random_buf(void* buffer, std::size_t size) noexcept {
   set_target_properties(robochart_expat PROPERTIES IMPORTED_LOCATION ${EXPAT_ARCHIVE}
                                                    INTERFACE_LINK_LIBRARIES robochart_random_seed)
   set(EXPAT_LIBRARY robochart_expat)
-  # What is unused goes: of libstdc++ that is also what calls the newest functions of the C library.
+  # Removes unused code, including the parts of libstdc++ that call the newest functions of the C library.
   add_link_options(-static-libstdc++ -static-libgcc -Wl,--gc-sections)
 endif()

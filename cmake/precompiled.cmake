@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-# Headers of the standard library, of fmt and of GoogleTest, which nearly every test reads, are compiled once: two to four
-# seconds of processor time of each group of sources are theirs. Such a build does not notice a header that a test forgets
-# to include; the other presets do.
+# Precompiles headers of the standard library, of fmt and of GoogleTest, which almost every test includes: they take two
+# to four seconds of processor time in each group of sources. Such a build does not notice that a test lacks an include;
+# the other presets do.
 
 set(precompiled_headers
   <algorithm> <array> <charconv> <chrono> <cmath> <cstddef> <cstdint> <deque> <filesystem> <functional> <limits> <map> <memory>
   <mutex> <optional> <set> <span> <stdexcept> <string> <string_view> <tuple> <unordered_map> <unordered_set> <utility>
   <variant> <vector> <fmt/format.h> <fmt/ranges.h> <gmock/gmock.h> <gtest/gtest.h>)
 
-# precompile_tests(TARGET): the sources of a test program read these headers before their first line. All test programs are
-# compiled with the same options, and share one file.
+# precompile_tests(TARGET): the sources of a test program include these headers before their first line. All test
+# programs have the same compile options and share one precompiled header.
 function(precompile_tests target)
   if(NOT ROBOCHART_PRECOMPILED)
     return()

@@ -4,8 +4,8 @@
 #   robochart_verify(MODEL <file or folder> [NAME <test>] [VERB verify|check|conform|validate] [OPTIONS <option>...]
 #                    [TIMEOUT <seconds>])
 #
-# adds a test that CTest runs: it passes where all verdicts are as claimed (exit 0). What the run writes goes below the build tree.
-# Defines robochart_verify_PROGRAM, and the target robochart::verify to depend on.
+# adds a test that CTest runs. It passes if all verdicts are as claimed (exit 0). Output files go below the build tree.
+# Defines robochart_verify_PROGRAM, and the target robochart::verify for dependencies.
 find_program(robochart_verify_PROGRAM robochart-verify HINTS "${CMAKE_CURRENT_LIST_DIR}/../../../bin")
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(robochart-verify REQUIRED_VARS robochart_verify_PROGRAM)

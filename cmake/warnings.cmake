@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Warnings for all our code; errors where ROBOCHART_WERROR is on (the dev preset and CI).
+# Warnings for all our code. They are errors if ROBOCHART_WERROR is on (the dev preset and CI).
 add_compile_options(-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
 if(ROBOCHART_WERROR)
   add_compile_options(-Werror)

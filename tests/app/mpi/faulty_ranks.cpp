@@ -1,7 +1,7 @@
 // robochart-verify-mpi with a seeded fault: one rank fails or pauses.
 //
-// faulty_ranks NUMBER CALL error|memory|sleep ARGUMENT...    before call CALL of its exchange (from 0), rank NUMBER
-// throws, or sleeps for three seconds
+//   faulty_ranks NUMBER CALL error|memory|sleep ARGUMENT...    before call CALL of its exchange (from 0), rank NUMBER
+//                                                              throws, or sleeps for three seconds
 #include <cstdlib>
 #include <string>
 
