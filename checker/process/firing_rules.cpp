@@ -264,8 +264,8 @@ void FiringRules::prefix(const Term& term, List& list) {
 // UCS 9.2:  P --τ--> P'            P --a--> P'   (a ≠ τ)
 //        ----------------------    ----------------------   and the same for Q.
 //        P [] Q --τ--> P' [] Q     P [] Q --a--> P'
-// ✓ resolves the choice like any a; that an option may terminate by itself is the models' reading of ✓
-// (refine/stability.hpp).
+// ✓ resolves the choice like any a; the models let an option terminate by itself
+// (checker/refine/search/stability.hpp).
 void FiringRules::external_choice(const Term& term, List& list) {
     for (std::size_t i = 0; i < term.children.size(); ++i)
         for (const Transition& step : known_.of(term.children[i]))

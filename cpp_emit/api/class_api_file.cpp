@@ -95,7 +95,7 @@ void write_event_method(const Generation& generation, const Core& core, CodeWrit
     out.close();
 }
 
-/// Some action may take time while the event is awaited.
+/// Whether some action may take time while the event is awaited.
 bool may_be_lost(const Generation& generation, const Core& core, const ApiEvent& event) {
     std::size_t place = 0;  // index among the received events
     for (const EventPort& port : generation.component.events) {

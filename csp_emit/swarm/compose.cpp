@@ -107,7 +107,7 @@ public:
     }
 
 private:
-    // ------------------------------------------------------------ what is bound to what
+    // ------------------------------------------------------------ bindings
 
     void unknown(const std::string& where, const std::string& what, const Word& word,
                  const std::vector<std::string>& known) {

@@ -13,7 +13,7 @@ namespace robochart::csp_emit {
 /// Owns the list of operations reached by calls, and the constants of the machine and of these (semantics 3.12).
 class CallGraph {
 public:
-    /// Takes names for the constants from the context.
+    /// Reserves names for the constants in the context.
     explicit CallGraph(MachineContext&);
 
     /// The definition of an operation that a machine calls; null if the context has none, in which case the call is an
