@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of events on both sides of the conformance check (docs/conformance.md, "Alphabets").
+// Names of events on both sides of the conformance check (docs/conformance.md, "From reactive model to cycles").
 #include "conformance/code/interface.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The boundary of a component: input registers and outputs, and the names of their events in the model, in NF_c(M) and
-// in L(G) (docs/conformance.md, "Alphabets"). Model and code are related only here.
+// in L(G) (docs/conformance.md, "From reactive model to cycles"). Model and code are related only here.
 #pragma once
 
 #include <cstdint>
