@@ -1,6 +1,6 @@
-/* The plain C interface between a generated controller, compiled as a shared object over the types it ships with
- * (double, 64-bit integers), and whoever runs many of them: simulators. One cycle = one call of `step`; a controller
- * is one value of `state_size` bytes, so thousands of them are an array. Ships with the generated code.
+/* The C interface between a generated controller, compiled as a shared object with its deployed types (double, 64-bit
+ * integers), and simulators, which run many instances of it. One cycle is one call of `step`. A controller is one
+ * value of `state_size` bytes, so thousands of them form an array. Delivered with the generated code.
  * Copyright: see LICENSE (Apache-2.0). */
 #ifndef ROBOCHART_DRIVE_ABI_H
 #define ROBOCHART_DRIVE_ABI_H
@@ -28,7 +28,7 @@ typedef struct rc_signal {
     rc_value value;
 } rc_signal;
 
-/* One thing the controller did: an event sent, an operation called, a shared variable written. */
+/* One output of the controller: a sent event, a called operation, a written shared variable. */
 typedef struct rc_action {
     uint32_t output;
     uint32_t count;
@@ -37,21 +37,21 @@ typedef struct rc_action {
 
 typedef struct rc_actions {
     uint32_t count;
-    uint32_t overflow; /* set when more than ROBOCHART_DRIVE_MAX_ACTIONS were done in one cycle */
+    uint32_t overflow; /* set if a cycle has more than ROBOCHART_DRIVE_MAX_ACTIONS outputs */
     rc_action action[ROBOCHART_DRIVE_MAX_ACTIONS];
 } rc_actions;
 
 typedef enum rc_drive_result {
     RC_DRIVE_QUIESCENT = 0,
     RC_DRIVE_TERMINATED = 1,
-    RC_DRIVE_STEP_BOUND = 2,   /* a loop without time: the model diverges, or the bound is too small */
+    RC_DRIVE_STEP_BOUND = 2,   /* a loop that takes no time: the model diverges, or the bound is too small */
     RC_DRIVE_PRECONDITION = 3, /* an operation was called outside its precondition */
     RC_DRIVE_DEADLINE = 4      /* a deadline was missed */
 } rc_drive_result;
 
 /* A state machine of the component. */
 typedef struct rc_machine {
-    const char* name; /* where it is in the component: "ctrl0::stm0"; "" if it is the only one */
+    const char* name; /* its path in the component: "ctrl0::stm0"; "" if it is the only one */
     uint32_t states;
     const char* const* state; /* "Forward", "Forward::Fast" */
 } rc_machine;
@@ -59,7 +59,7 @@ typedef struct rc_machine {
 typedef struct rc_drive {
     uint32_t abi_version;
     const char* component;
-    uint32_t state_size; /* bytes of a controller */
+    uint32_t state_size; /* size of a controller in bytes */
     uint32_t state_alignment;
     uint32_t inputs;
     const char* const* input; /* "seeRobot.in", "set_EXT_reached" */
@@ -67,11 +67,11 @@ typedef struct rc_drive {
     const char* const* output; /* "out.out", "MoveCall", "set_linearSpeed" */
     uint32_t machines;
     const rc_machine* machine;
-    void (*initial)(void* controller, uint64_t seed); /* seed: of what it draws at probabilistic junctions */
+    void (*initial)(void* controller, uint64_t seed); /* seed: for the choices at probabilistic junctions */
     rc_drive_result (*step)(void* controller, const rc_signal* signals, rc_actions* actions);
-    /* The innermost active state of a machine: index into its states; their number in between. */
+    /* The innermost active state of a machine as an index into its states; the number of states if none is active. */
     uint32_t (*state_of)(const void* controller, uint32_t machine);
-    const char* (*place_of)(const void* controller); /* the element the first machine is in, with file and line */
+    const char* (*place_of)(const void* controller); /* the current element of the first machine, with file and line */
 } rc_drive;
 
 /* The only exported symbol, also of objects compiled with -fvisibility=hidden. */

@@ -1,5 +1,5 @@
-/* The plain C interface between a generated controller, compiled as a shared object over finite carriers,
- * and the explorer of conformance/. One cycle = one call of `step`. Ships with the generated code.
+/* The C interface between a generated controller, compiled as a shared object over finite carriers,
+ * and the explorer of conformance/. One cycle is one call of `step`. Delivered with the generated code.
  * Copyright: see LICENSE (Apache-2.0). */
 #ifndef ROBOCHART_EXPLORE_ABI_H
 #define ROBOCHART_EXPLORE_ABI_H
@@ -15,15 +15,15 @@ extern "C" {
 #define ROBOCHART_MAX_ARGUMENTS 8
 #define ROBOCHART_MAX_CHOICES 32
 
-/* An input register: an event received from outside, or a shared variable written from outside. */
+/* An input register: a received event, or an externally written shared variable. */
 typedef struct rc_input {
-    const char* name;        /* CSP event prefix below the component: "seeRobot.in", "set_EXT_reached" */
-    uint32_t values;         /* number of values it can carry; 0: carries none */
+    const char* name;        /* CSP event prefix relative to the component: "seeRobot.in", "set_EXT_reached" */
+    uint32_t values;         /* number of its values; 0: it carries no value */
     const int64_t* value;    /* its values: numbers, reals times the scale, enumeration indices, booleans 0/1 */
     const char* const* text; /* the same values as CSPM text ("-70", "true", "P_T_Red") */
 } rc_input;
 
-/* An output: event sent, operation called, shared variable written. */
+/* An output: a sent event, a called operation, a written shared variable. */
 typedef struct rc_output {
     const char* name;        /* "out.out", "MoveCall", "set_linearSpeed" */
     uint32_t arguments;
@@ -35,18 +35,18 @@ typedef struct rc_record {
     int64_t argument[ROBOCHART_MAX_ARGUMENTS];
 } rc_record;
 
-/* What did not fit: records beyond the capacity, choices beyond ROBOCHART_MAX_CHOICES. */
+/* Kinds of overflow: more records than the capacity, more choices than ROBOCHART_MAX_CHOICES. */
 #define ROBOCHART_OVERFLOW_RECORDS 1U
 #define ROBOCHART_OVERFLOW_CHOICES 2U
 
-/* The records are the caller's, who calls again with more of them where they were too few. */
+/* The caller owns the records, and calls again with more of them if there were too few. */
 typedef struct rc_log {
     uint32_t count;
-    uint32_t overflow;       /* what did not fit, 0: all did */
+    uint32_t overflow;       /* kinds of overflow; 0: none */
     uint32_t capacity;
     rc_record* record;
-    /* Probabilistic junctions: the k-th that the cycle passes takes way choice[k] if k < given, else way 0. `step` sets
-     * asked, how many it passed, and ways[k], how many ways there were. */
+    /* Probabilistic junctions: the k-th junction of the cycle takes alternative choice[k] if k < given, otherwise 0.
+     * `step` sets `asked` to the number of junctions, and ways[k] to the number of alternatives. */
     uint32_t given;
     uint32_t asked;
     uint32_t choice[ROBOCHART_MAX_CHOICES];
@@ -56,7 +56,7 @@ typedef struct rc_log {
 typedef enum rc_result {
     RC_QUIESCENT = 0,        /* nothing more can happen in this cycle */
     RC_TERMINATED = 1,
-    RC_STEP_BOUND = 2,       /* a loop without time: the model diverges, or the bound is too small */
+    RC_STEP_BOUND = 2,       /* a loop that takes no time: the model diverges, or the bound is too small */
     RC_PRECONDITION = 3,     /* an operation was called outside its precondition */
     RC_DEADLINE = 4          /* a deadline was missed */
 } rc_result;
@@ -70,7 +70,7 @@ typedef struct rc_register {
 typedef struct rc_interface {
     uint32_t abi_version;
     const char* component;   /* "AggregationFSM" */
-    uint32_t state_size;     /* bytes of the state, trivially copyable and canonical: equal states have equal bytes */
+    uint32_t state_size;     /* in bytes; states are trivially copyable and canonical: equal states have equal bytes */
     uint32_t inputs;
     const rc_input* input;
     uint32_t outputs;
@@ -80,9 +80,10 @@ typedef struct rc_interface {
     rc_result (*step)(void* state, const rc_register* registers, rc_log* log);
     /* Writes "state=S1 T=3 reached=true" (at most size bytes, terminated). */
     void (*print)(const void* state, char* buffer, size_t size);
-    /* The event API of the same state; null where no event is received. The first `events` inputs are events.
-     * `dispatch` takes one, with the value that its register has, whatever the others hold; `event` = events: it begins,
-     * or does what needs no event. `pass` is a cycle without inputs and adds to what the log has. */
+    /* The event API of the same state; null if no event is received. The first `events` inputs are events.
+     * `dispatch` processes one event with the value in its register, ignoring the other registers. With `event` equal
+     * to `events`, it starts the machine or takes transitions that need no event. `pass` is a cycle without inputs; it
+     * appends to the log. */
     uint32_t events;
     rc_result (*dispatch)(void* state, uint32_t event, const rc_register* registers, rc_log* log);
     rc_result (*pass)(void* state, rc_log* log);
