@@ -205,8 +205,7 @@ TEST(TraceHook, ValuesWithParts) {
              {"mix!{Red,Green}", "mix!{Green}", "run.trace:8: run 1, cycle 3"},
              {"push!(2,1)", "push!(1,2)", "run.trace:9: run 1, cycle 4"},
              {"note!Fetch(0.5,Red)", "note!Fetch(0.5,Green)", "run.trace:10: run 1, cycle 5"},
-             {"path?<2,0>", "path?<2,0,1>", "run.trace:7: run 1, cycle 2"}}) {  // longer than the maximal sequence of
-                                                                                // the model
+             {"path?<2,0>", "path?<2,0,1>", "run.trace:7: run 1, cycle 2"}}) {  // longer than allowed
         console.corrupt(log, from, to);
         const auto bad = console.check();
         EXPECT_EQ(bad.exit, std::string(to) == "path?<2,0,1>" ? 3 : 1) << to << bad.out << bad.err;

@@ -121,8 +121,7 @@ assert (((||| r : R @ Reader(r)) ||| Writer) [| Locking |] Lock(0, false)) \ Loc
     limits.reduction = true;
     const refine::Verdict verdict = results(text, limits).at(0).verdict;
     EXPECT_EQ(verdict.outcome, refine::Outcome::holds);
-    EXPECT_EQ(verdict.statistics.states, 6563U);  // 3^8 states of the readers, and the writer's states before and after
-                                                  // it writes
+    EXPECT_EQ(verdict.statistics.states, 6563U);  // 3^8 reader states; the writer before and after writing
     EXPECT_EQ(verdict.statistics.chased, 0U);
 }
 

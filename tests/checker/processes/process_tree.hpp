@@ -49,11 +49,9 @@ struct Tree {
     std::vector<Process> operands;
     std::vector<Letter> letters;                      ///< prefix: one per operand
     std::set<Letter> set;                             ///< prioritise_order: the events in the order
-    std::vector<std::set<Letter>> sets;               ///< alphabets or priority levels; prioritise_order: the maximal
-                                                      ///< events
+    std::vector<std::set<Letter>> sets;               ///< alphabets or levels; prioritise_order: maximal events
     std::vector<std::pair<Letter, Letter>> renaming;  ///< linked: the links; prioritise_order: pairs (higher, lower)
-    int name = 0;                                     ///< call: the number of the definition; compress: the kind of
-                                                      ///< compression
+    int name = 0;                                     ///< call: the definition; compress: the compression
 };
 
 /// Named processes; main may call them.

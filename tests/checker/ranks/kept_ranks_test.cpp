@@ -364,8 +364,7 @@ TEST_F(KeptRanks, AreNotDisturbedWhileTheyWaitBehindALimit) {
         // The other rank is busy, at a time when all ranks have stored some levels.
         const auto at_work = [&] {
             if (++calls != 30) return;
-            std::this_thread::sleep_for(std::chrono::milliseconds(50));  // the first rank returns from the previous
-                                                                         // call
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));  // it leaves the previous call
             const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
             while (held == 0 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
             EXPECT_GT(held, 0) << "the first rank could be ended by force";

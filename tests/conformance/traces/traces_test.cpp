@@ -102,8 +102,7 @@ TEST(Traces, WrongExtraAndMisplacedOutputsAreRejected) {
     for (const auto& [cycle, what] : std::vector<std::pair<std::string, std::string>>{
              {"seeRobot? angularSpeed!-5.02 linearSpeed!-10.88 tock", "linearSpeed!-10.88"},  // wrong value
              {"seeRobot? linearSpeed!0 angularSpeed!-5.02 tock", "linearSpeed!0"},            // wrong order
-             {"seeWall? angularSpeed!-5.02 linearSpeed!0 tock", "angularSpeed!-5.02"},        // without the input that
-                                                                                              // causes it
+             {"seeWall? angularSpeed!-5.02 linearSpeed!0 tock", "angularSpeed!-5.02"},        // without its input
              {"angularSpeed!-5.02 linearSpeed!0 tock", "angularSpeed!-5.02"},
              {"seeRobot? angularSpeed!-5.02 linearSpeed!0 linearSpeed!0 tock", "linearSpeed!0"},  // once too often
              {"angularSpeed!-0.75 linearSpeed!-10.88 tock", "angularSpeed!-0.75"}}) {

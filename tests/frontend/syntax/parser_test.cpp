@@ -48,8 +48,7 @@ TEST(Lexer, RefusesFilesOfTooManyWords) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;
     const auto source = sources.add("t.rct", std::string(max_tokens + 1, ';'));
-    EXPECT_LE(tokenize(sources, source, false, findings).tokens.size(), max_tokens + 1);  // the maximal number and the
-                                                                                          // end token
+    EXPECT_LE(tokenize(sources, source, false, findings).tokens.size(), max_tokens + 1);  // one more: the end
     ASSERT_EQ(findings.errors(), 1U);
     EXPECT_EQ(findings.sorted().front().rule->code, "RC-P23");
 }

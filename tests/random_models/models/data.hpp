@@ -37,8 +37,7 @@ struct DataType {
     Form form = Form::nat;
     std::string written;                                  ///< as RoboChart text
     std::vector<const DataType*> parts;                   ///< element, operands, types of fields, argument and result
-    std::vector<std::string> labels;                      ///< literals, fields; given type: the function that yields a
-                                                          ///< value
+    std::vector<std::string> labels;                      ///< literals, fields; given type: its function
     std::size_t rows = 0, columns = 0;                    ///< matrix; vector: columns
     std::vector<std::vector<const DataType*>> arguments;  ///< enumeration: types of the parameters of each literal
 };

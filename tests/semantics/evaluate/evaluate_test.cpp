@@ -83,8 +83,7 @@ TEST_F(Evaluate, RealsAreUnitsOfTheScale) {
     EXPECT_EQ(number(decimal(-7, 1)), -7);
     EXPECT_EQ(number(decimal(2, 0)), 20);
     EXPECT_EQ(number(ExprKind::plus, types.real, decimal(1, 1), decimal(1, 1)), 2);     // 0.1 + 0.1 = 0.2
-    EXPECT_EQ(number(ExprKind::plus, types.real, decimal(2, 1), decimal(1, 1)), 2);     // 0.3 is not in the carrier, so
-                                                                                        // the result is 0.2
+    EXPECT_EQ(number(ExprKind::plus, types.real, decimal(2, 1), decimal(1, 1)), 2);     // not 0.3, so 0.2
     EXPECT_EQ(number(ExprKind::times, types.real, decimal(2, 0), decimal(1, 1)), 2);    // 2 * 0.1
     EXPECT_EQ(number(ExprKind::divide, types.real, decimal(2, 1), decimal(2, 0)), 1);   // 0.2 / 2
     EXPECT_EQ(number(ExprKind::divide, types.real, decimal(2, 0), decimal(1, 0)), 20);  // 2 / 1

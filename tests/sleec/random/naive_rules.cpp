@@ -208,8 +208,7 @@ std::string text_of(const std::vector<NaiveRule>& rules) {
 
 std::vector<NaiveRule> random_rules(std::mt19937_64& random) {
     std::vector<NaiveRule> result(static_cast<std::size_t>(2 + number(random, 3)));
-    const bool alternatives = number(random, 4) == 0;  // one rule with several alternatives at one instant; the other
-                                                       // rules forbid
+    const bool alternatives = number(random, 4) == 0;  // the first rule has alternatives, the others forbid
     for (NaiveRule& each : result) {
         each.trigger = number(random, events);
         if (number(random, 3) == 0) each.condition = random_condition(random);
