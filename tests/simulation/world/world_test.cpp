@@ -172,7 +172,7 @@ TEST(World, PlacesManyQuickly) {
     World world(options, 4);
     ASSERT_TRUE(world.place_at_random(20000, {{-2000, -2000}, {2000, 2000}}));
     World crowded(options, 4);
-    // 640,000 square centimetres are less than their 688,000.
+    // The square has 640,000 cm2, but the disks cover 688,000 cm2.
     EXPECT_FALSE(crowded.place_at_random(16000, {{-400, -400}, {400, 400}})) << "denser than disks can be thrown";
 }
 

@@ -1,4 +1,4 @@
-// builtin_interfaces/msg/Time as far as generated nodes use it, for tests.
+// The parts of builtin_interfaces/msg/Time that generated nodes use, for tests.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// geometry_msgs/msg/PoseStamped as far as generated nodes use it, for tests.
+// The parts of geometry_msgs/msg/PoseStamped that generated nodes use, for tests.
 #pragma once
 
 #include "geometry_msgs/msg/pose.hpp"

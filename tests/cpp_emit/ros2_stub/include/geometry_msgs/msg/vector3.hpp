@@ -1,4 +1,4 @@
-// geometry_msgs/msg/Vector3 as far as generated nodes use it, for tests.
+// The parts of geometry_msgs/msg/Vector3 that generated nodes use, for tests.
 #pragma once
 
 namespace geometry_msgs::msg {

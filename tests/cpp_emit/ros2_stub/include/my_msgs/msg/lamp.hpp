@@ -1,4 +1,4 @@
-// my_msgs/msg/Lamp as far as generated nodes use it, for tests.
+// The parts of my_msgs/msg/Lamp that generated nodes use, for tests.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// rcl_interfaces/msg/ParameterDescriptor as far as generated nodes use it, for tests.
+// The parts of rcl_interfaces/msg/ParameterDescriptor that generated nodes use, for tests.
 #pragma once
 
 #include <string>

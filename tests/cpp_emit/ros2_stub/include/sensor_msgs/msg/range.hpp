@@ -1,4 +1,4 @@
-// sensor_msgs/msg/Range as far as generated nodes use it, for tests.
+// The parts of sensor_msgs/msg/Range that generated nodes use, for tests.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// std_msgs/msg/Bool as far as generated nodes use it, for tests.
+// The parts of std_msgs/msg/Bool that generated nodes use, for tests.
 #pragma once
 
 namespace std_msgs::msg {

@@ -1,4 +1,4 @@
-// std_msgs/msg/Empty as far as generated nodes use it, for tests.
+// The parts of std_msgs/msg/Empty that generated nodes use, for tests.
 #pragma once
 
 namespace std_msgs::msg {

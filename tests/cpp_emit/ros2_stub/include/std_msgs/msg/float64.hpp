@@ -1,4 +1,4 @@
-// std_msgs/msg/Float64 as far as generated nodes use it, for tests.
+// The parts of std_msgs/msg/Float64 that generated nodes use, for tests.
 #pragma once
 
 namespace std_msgs::msg {

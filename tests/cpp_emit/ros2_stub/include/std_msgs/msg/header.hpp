@@ -1,4 +1,4 @@
-// std_msgs/msg/Header as far as generated nodes use it, for tests.
+// The parts of std_msgs/msg/Header that generated nodes use, for tests.
 #pragma once
 
 #include <string>

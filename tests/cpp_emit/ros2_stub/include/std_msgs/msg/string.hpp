@@ -1,4 +1,4 @@
-// std_msgs/msg/String as far as generated nodes use it, for tests.
+// The parts of std_msgs/msg/String that generated nodes use, for tests.
 #pragma once
 
 #include <string>
