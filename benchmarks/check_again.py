@@ -16,7 +16,7 @@ from pathlib import Path
 
 from measured import Child, run
 
-# The edits: file, old text, new text.
+# The edits: description, file, old text, new text.
 EDITS = [
     ("nothing", "", "", ""),
     ("a comment in front of all", "Transition_system.rct", "diagram Transition_system", "// edited\n\ndiagram Transition_system"),
