@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cost that a monitor for every controller adds to a step: benchmark_monitor ROUNDS SCENARIO... The same trial runs
 // twice in one thread, with and without monitors, in alternating blocks of steps, measured by the thread's CPU clock.
-// The tables are built once beforehand. Median: of the ratios of all pairs of blocks. Minimum: the minimum of all rounds
-// for every block, summed.
+// The tables are built once beforehand. Median: of the ratios of all pairs of blocks. Minimum: the minimum of all
+// rounds for every block, summed.
 #include <fmt/format.h>
 
 #include <algorithm>
