@@ -10,6 +10,7 @@
 #include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/base/library.hpp"
 #include "csp_emit/base/toolkits.hpp"
+#include "csp_emit/base/without_places.hpp"
 #include "semantics/evaluate/toolkit.hpp"
 #include "semantics/ir/visit.hpp"
 
@@ -69,7 +70,7 @@ std::vector<cspm::DeclPtr> library(const Project& project) {
     auto decls = cspm::read(project.sources, source, project.diagnostics).decls;
     const auto toolkits = toolkit_definitions(project);
     decls.insert(decls.end(), toolkits.begin(), toolkits.end());
-    return decls;
+    return without_places(decls);
 }
 
 }  // namespace robochart::csp_emit

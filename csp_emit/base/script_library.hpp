@@ -8,7 +8,8 @@
 
 namespace robochart::csp_emit {
 
-/// The library of the project's semantics (untimed or timed) and the toolkit functions that the model calls.
+/// The library of the project's semantics (untimed or timed) and the toolkit functions that the model calls. The trees
+/// have no places: an error inside of them is reported where the model calls them.
 [[nodiscard]] std::vector<cspm::DeclPtr> library(const Project&);
 
 }  // namespace robochart::csp_emit

@@ -72,6 +72,52 @@ INSTANTIATE_TEST_SUITE_P(Verbs, EvaluationErrors,
                                            Question{"step", {"step", "MODEL", "Sorter"}, "1\n1\n1\n"}),
                          [](const auto& each) { return std::string(each.param.name); });
 
+// Line 7 reads the element of index i of two: 1, then 0, which the functions of the scripts' library find at the end.
+const std::string indexed = R"(stm Belt {
+	event next
+	event lane : nat
+	var lanes : Seq(nat) = <1, 2>
+	var i : int = 1
+	initial j
+	state On { entry lane ! (lanes[i]) }
+	transition t0 { from j to On }
+	transition t1 { from On to On trigger next action i = 1 - i }
+}
+)";
+
+class MissingElements : public ::testing::TestWithParam<Question> {};
+
+TEST_P(MissingElements, HaveThePlaceOfTheModel) {
+    const Folder folder({{"belt.rct", indexed}});
+    std::vector<std::string> arguments = GetParam().arguments;
+    for (std::string& each : arguments) {
+        if (each == "MODEL") each = folder / "belt.rct";
+        if (each == "OUT") each = folder / "out";
+    }
+    const Ran ran = run(arguments, GetParam().input);
+    EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
+    const std::string printed = ran.out + ran.err;
+    EXPECT_THAT(printed, HasSubstr("belt.rct:7"));
+    EXPECT_THAT(printed, HasSubstr("the sequence <1, 2> has no element 0: the first is element 1, in Belt::On"));
+    EXPECT_THAT(printed, Not(HasSubstr("library of generated scripts")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Verbs, MissingElements,
+                         ::testing::Values(Question{"check", {"check", "MODEL", "--core"}, ""},
+                                           Question{"monitor", {"emit", "monitor", "MODEL", "--out", "OUT"}, ""},
+                                           Question{"tests", {"emit", "tests", "MODEL", "--out", "OUT"}, ""}),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+TEST(MissingElementsOfTheEmptySequence, AreSaid) {
+    const std::string belt =
+        "stm Belt {\n event lane : nat\n var lanes : Seq(nat) = <>\n initial j\n"
+        " state On { entry lane ! (lanes[1]) }\n transition t0 { from j to On }\n}\n";
+    const Folder folder({{"belt.rct", belt}});
+    const Ran ran = run({"check", folder / "belt.rct", "--core"});
+    EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("belt.rct:5: the sequence is empty"));
+}
+
 // Line 2 declares the call: its two reals have too many combinations of values.
 TEST(EvaluationErrorsOfTypes, HaveThePlaceOfTheDeclaration) {
     const Folder folder(
