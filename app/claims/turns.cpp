@@ -2,10 +2,12 @@
 #include "app/claims/turns.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <chrono>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "app/command/run.hpp"
@@ -44,9 +46,23 @@ Options with_turn(const Options& options, double seconds) {
     return result;
 }
 
+/// The budget looks at memory a hundred times a second: what is free counts as free after this.
+void free_memory(const std::function<void()>& give_back) {
+    constexpr std::chrono::milliseconds two_looks{20};
+    if (give_back) give_back();
+    malloc_trim(0);
+    std::this_thread::sleep_for(two_looks);
+}
+
 }  // namespace
 
-void decide_in_turns(const std::vector<WaitingClaim>& claims, const Options& options) {
+bool run_is_over(const diagnostics::Budget& budget) {
+    const auto& deadline = budget.limits().deadline;
+    return budget.interrupted() || (deadline && Clock::now() >= *deadline);
+}
+
+void decide_in_turns(const std::vector<WaitingClaim>& claims, const Options& options,
+                     const std::function<void()>& give_back) {
     const double most = options.assertion_seconds;
     std::vector<const WaitingClaim*> waiting;
     for (const WaitingClaim& claim : claims) waiting.push_back(&claim);
@@ -58,7 +74,9 @@ void decide_in_turns(const std::vector<WaitingClaim>& claims, const Options& opt
             const Options turn = with_turn(options, last ? most : seconds);
             const diagnostics::Budget::Phase phase(options.run->budget(), "deciding " + claim->title);
             const bool decided = claim->decide(turn);
-            options.run->budget().check();
+            diagnostics::Budget& budget = options.run->budget();
+            if (!budget.reached().empty() && !run_is_over(budget)) free_memory(give_back);
+            budget.check();
             if (!decided && !last && is_over(turn)) open.push_back(claim);
         }
         waiting = std::move(open);

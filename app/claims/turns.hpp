@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/command/options.hpp"
+#include "diagnostics/budget.hpp"
 
 namespace robochart::app {
 
@@ -20,8 +21,13 @@ struct WaitingClaim {
 
 /// Decides all claims. Those without an answer after their turn are repeated with longer turns, until
 /// --assertion-timeout. Searches that use files or several programs get only one turn, because they continue from their
-/// stored states. Throws LimitReached with the current claim if a limit of the run is reached.
-void decide_in_turns(const std::vector<WaitingClaim>& claims, const Options& options);
+/// stored states. If a claim reaches the memory limit, `give_back` frees what the claims share, and the next claim is
+/// decided. Throws LimitReached with the current claim if the run is over, or if `give_back` does not free enough.
+void decide_in_turns(const std::vector<WaitingClaim>& claims, const Options& options,
+                     const std::function<void()>& give_back = {});
+
+/// Whether the run has to end: at its time limit or an interrupt. The memory limit may be that of one claim alone.
+[[nodiscard]] bool run_is_over(const diagnostics::Budget&);
 
 /// The text for a claim that --assertion-timeout left undecided; it replaces the claim's own reason.
 [[nodiscard]] std::string ended_turn(const std::string& reason, const Options& turn);

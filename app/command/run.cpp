@@ -29,8 +29,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr timespec between_looks{0, 10'000'000};
-/// How long work may continue after a limit before it is cut short: the time to poll and to free its memory.
-constexpr std::chrono::milliseconds grace{300};
+/// How long work may continue after a limit before it is cut short: the time to poll and to free its memory. It is
+/// short if the program uses far more memory than it may.
+constexpr std::chrono::milliseconds grace{300}, short_grace{100};
 /// How long a verb may print after a signal.
 constexpr std::chrono::milliseconds longest_printing{2000};
 
@@ -133,11 +134,14 @@ bool Run::write_kept() {
     return all;
 }
 
-/// After a memory limit, a run continues if enough memory is freed; after any other limit, it ends. If this thread
-/// cannot allocate memory, it prints a fixed message and ends the program. A verb that has its answer may take its time
-/// to print it after a limit, but only a limited time after a signal.
+/// After a memory limit, a run continues if enough memory is freed, and has time for it as long as memory is being
+/// freed; after any other limit, it ends. If this thread cannot allocate memory, it prints a fixed message and ends the
+/// program. A verb that has its answer may take its time to print it after a limit, but only a limited time after a
+/// signal.
 void Run::watch() {
-    std::optional<Clock::time_point> since;
+    bool beyond = false;
+    Clock::time_point since;
+    std::uint64_t lowest = 0;  // memory since then
     int asked_to_end = 0;
     const auto finishing = [this] {
         const std::unique_lock lock(mutex_, std::try_to_lock);
@@ -149,14 +153,23 @@ void Run::watch() {
             take(signal);
         }
         const std::string why = budget_.reached();
-        if (why.empty()) return since.reset();
-        if (!since) since = Clock::now();
-        const std::optional<Clock::time_point>& deadline = budget_.limits().deadline;
-        if (budget_.interrupted() || (deadline && Clock::now() >= *deadline)) diagnostics::program_ends = true;
+        if (why.empty()) {
+            beyond = false;
+            return;
+        }
         const std::uint64_t most = budget_.limits().memory_bytes;
-        const bool far_beyond = budget_.resident() > most + most / 10;
-        if (Clock::now() - *since < grace && !far_beyond) return;
-        if (asked_to_end != 0 && Clock::now() - *since >= longest_printing && finishing())
+        const std::optional<Clock::time_point>& deadline = budget_.limits().deadline;
+        const bool of_memory = !budget_.interrupted() && (!deadline || Clock::now() < *deadline);
+        if (!of_memory) diagnostics::program_ends = true;
+        if (!beyond || (of_memory && budget_.resident() + most / 100 < lowest)) {
+            beyond = true;
+            since = Clock::now();
+            lowest = budget_.resident();
+        }
+        constexpr std::uint64_t grown = std::uint64_t{64} << 20U;  // by a table that doubles within a small limit
+        const bool far_beyond = budget_.resident() > most + std::max(most / 4, grown);
+        if (Clock::now() - since < (far_beyond ? short_grace : grace)) return;
+        if (asked_to_end != 0 && Clock::now() - since >= longest_printing && finishing())
             end_at_once(128 + asked_to_end);
         say_and_end(why);
     };

@@ -399,10 +399,7 @@ public:
           guards_(project, emission_, time),
           rules_(project, emission_, options) {
         if (!project.diagnostics.ok() || (emission_.obligations.empty() && !options.sizes)) return;
-        session_ = open(project, emission_, time, options, report);
-        if (!session_) return;
-        session_->observe(watch_.observer());
-        second_look_.emplace(project, emission_, *session_, options);
+        if (!open_session()) return;
         first_ = report.assertions.size();
         announce({project, options, emission_, *session_, guards_}, report);
         announced_.assign(report.assertions.begin() + static_cast<std::ptrdiff_t>(first_), report.assertions.end());
@@ -419,19 +416,36 @@ public:
                                   }});
     }
 
+    /// Frees what claims share. The next one opens the script again.
+    void give_back() {
+        second_look_.reset();
+        given_back_ = session_ != nullptr || given_back_;
+        session_.reset();
+    }
+
     void measure() {
+        if (options_.sizes && given_back_ && !session_) (void)open_session();
         if (session_ && options_.sizes) measure_sizes(project_, *session_, emission_, time_, options_, report_);
     }
 
 private:
+    bool open_session() {
+        session_ = open(project_, emission_, time_, options_, report_);
+        if (!session_) return false;
+        session_->observe(watch_.observer());
+        second_look_.emplace(project_, emission_, *session_, options_);
+        return true;
+    }
+
     bool decide_in(const Options& given, const csp_emit::Obligation& obligation, std::size_t at) {
         Options turn = given;
         turn.on_progress = [&](const refine::Progress& progress) { note(progress, at); };
         AssertionReport one = announced_[at];
         try {
+            if (!session_ && !open_session()) return true;  // said in the report
             decide_whole({project_, turn, emission_, *session_, guards_}, obligation, one);
         } catch (const diagnostics::LimitReached& limit) {
-            if (!options_.run->budget().reached().empty()) throw;
+            if (run_is_over(options_.run->budget())) throw;
             one = announced_[at];
             one.reason = limit.what();
         }
@@ -487,6 +501,7 @@ private:
     RuleClaims rules_;
     Premises premises_;
     std::unique_ptr<cspm::Session> session_;
+    bool given_back_ = false;
     std::optional<SecondLook> second_look_;
     std::size_t first_ = 0;                   ///< index of the first claim in the report
     std::vector<AssertionReport> announced_;  ///< the claims before anything was known about them
@@ -540,7 +555,10 @@ void check_assertions(Project& project, const Options& options, Report& report) 
     }
     if (probabilities) probabilities->add_to(claims);
     if (!project.diagnostics.ok()) return;
-    decide_in_turns(claims, options);
+    decide_in_turns(claims, options, [&] {
+        for (const auto& time : times) time->give_back();
+        if (probabilities) probabilities->give_back();
+    });
     for (const auto& time : times) time->measure();
 }
 

@@ -102,7 +102,7 @@ public:
             probability::decide(*encoding_, question, how(), budget_, [&](Row row) { take(std::move(row), report); });
         } catch (const diagnostics::LimitReached& limit) {
             encoding_.reset();  // it may be incomplete
-            if (!options_.run->budget().reached().empty()) throw;
+            if (run_is_over(options_.run->budget())) throw;
             report.answer = Answer::inconclusive;
             report.reason = is_over() ? "the time limit was reached" : limit.what();
         } catch (const NotExpressed& why) {
@@ -113,6 +113,9 @@ public:
             report.reason = wrong.what();
         }
     }
+
+    /// Frees what claims share.
+    void give_back() { encoding_.reset(); }
 
 private:
     /// The encoding keeps the budget during the turns of several claims.
@@ -242,6 +245,10 @@ void ProbabilityClaims::add_to(std::vector<WaitingClaim>& claims) {
     for (std::size_t i = 0; i < impl_->claims.size(); ++i)
         claims.push_back({impl_->claims[i].assertion->name,
                           [this, i](const Options& turn) { return impl_->decide_in(turn, i, report_); }});
+}
+
+void ProbabilityClaims::give_back() {
+    impl_->decide.give_back();
 }
 
 }  // namespace robochart::app

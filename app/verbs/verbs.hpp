@@ -46,6 +46,8 @@ public:
     ProbabilityClaims& operator=(const ProbabilityClaims&) = delete;
 
     void add_to(std::vector<WaitingClaim>& claims);
+    /// Frees what claims share.
+    void give_back();
 
 private:
     struct Impl;

@@ -119,6 +119,16 @@ TEST(RunLimits, AreOfTheWholeRunNotOfEachCheck) {
     EXPECT_THAT(ran.out, AllOf(HasSubstr("A0"), HasSubstr("A9"), HasSubstr("10 inconclusive")));
 }
 
+TEST(RunLimits, OneClaimThatReachesTheMemoryLimitDoesNotEndTheOthers) {
+    const Hard hard{"", many_machines(30), "check"};
+    const Ran ran = run_shell(
+        "printf 'assertion Large : C is deterministic\\nassertion Small : S0 is deadlock-free\\n' > m.assertions\n" +
+        in_time(hard, "--memory 100MiB --timeout 500 --no-cache --no-reduction --untimed --format json m.rct"));
+    EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("the memory limit of 100 MiB was reached"), HasSubstr("\"holds\""),
+                               Not(HasSubstr("\"limit\""))));
+}
+
 TEST(RunLimits, WhatWasKnownBeforeIsReported) {
     const std::string model = many_machines(30) + "stm Small { initial i state A { } transition t0 { from i to A } }\n";
     const Hard hard{"", model, "check"};
