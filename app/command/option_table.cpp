@@ -463,7 +463,7 @@ const std::vector<OptionRow>& option_table() {
          {.kind = Kind::seconds, .name = "SECONDS", .usual = "0", .most = 1'000'000'000},
          "time limit for the whole run in seconds; 0 for none",
          [](Options& o, const std::string& word) { o.timeout_seconds = std::strtod(word.c_str(), nullptr); }},
-        {"--assertion-timeout", Group::limits, checking,
+        {"--assertion-timeout", Group::limits, checking | of(Verb::cspm),
          {.kind = Kind::seconds, .name = "SECONDS", .usual = "0", .most = 1'000'000'000},
          "time limit for each assertion in seconds; 0 for none: assertions then take turns",
          [](Options& o, const std::string& word) { o.assertion_seconds = std::strtod(word.c_str(), nullptr); }},

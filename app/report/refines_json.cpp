@@ -17,10 +17,9 @@ using diagnostics::Json;
 using process::Event;
 using refine::ViolationKind;
 
+/// Notes which events are shown.
 class EventMap {
 public:
-    explicit EventMap(const process::EventTable& events) : events_(events) {}
-
     std::uint64_t number(Event event) {
         if (event == process::no_event) return 0;
         used_.push_back(event);
@@ -32,18 +31,19 @@ public:
         for (const Event event : events) list.push_back(number(event));
         return list;
     }
-    Json json() {
-        std::sort(used_.begin(), used_.end());
-        used_.erase(std::unique(used_.begin(), used_.end()), used_.end());
-        Json map{{"0", "0"}, {"1", "τ"}, {"2", "✓"}};
-        for (const Event event : used_) map[std::to_string(std::uint64_t{event} + 1)] = events_.name(event);
-        return map;
-    }
+    [[nodiscard]] const std::vector<Event>& used() const { return used_; }
 
 private:
-    const process::EventTable& events_;
     std::vector<Event> used_;
 };
+
+Json event_map(const std::vector<ScriptAssertion>& assertions) {
+    std::map<Event, std::string> names;
+    for (const ScriptAssertion& each : assertions) names.insert(each.events.begin(), each.events.end());
+    Json map{{"0", "0"}, {"1", "τ"}, {"2", "✓"}};
+    for (const auto& [event, name] : names) map[std::to_string(std::uint64_t{event} + 1)] = name;
+    return map;
+}
 
 const char* counterexample_type(ViolationKind kind) {
     switch (kind) {
@@ -234,8 +234,14 @@ Json result(const ScriptAssertion& a, EventMap& events, const Options& options) 
 
 }  // namespace
 
-std::string refines_json(const ScriptReport& report, const process::EventTable& table, const Options& options) {
-    EventMap events(table);
+void name_events(ScriptAssertion& assertion, const process::EventTable& table, const Options& options) {
+    EventMap events;
+    (void)result(assertion, events, options);
+    for (const Event event : events.used()) assertion.events.try_emplace(event, table.name(event));
+}
+
+std::string refines_json(const ScriptReport& report, const Options& options) {
+    EventMap events;
     Json results = Json::array();
     for (const ScriptAssertion& each : report.assertions) results.push_back(result(each, events, options));
     Json prints = Json::array();
@@ -249,7 +255,7 @@ std::string refines_json(const ScriptReport& report, const process::EventTable& 
               {"results", std::move(results)},
               {"print_statement_results", std::move(prints)},
               {"file_name", report.path},
-              {"event_map", events.json()},
+              {"event_map", event_map(report.assertions)},
               {"warnings", report.warnings},
               {"errors", report.errors}};
     return diagnostics::json_text(json) + "\n";

@@ -3,6 +3,7 @@
 // JSON.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +24,8 @@ struct ScriptAssertion {
     Answer answer = Answer::inconclusive;
     std::vector<std::string> errors;  ///< why there is no answer
     cspm::AssertionResult result;
-    std::optional<process::Behaviour> behaviour;  ///< of a counterexample to show: the behaviour of each part
+    std::map<process::Event, std::string> events = {};  ///< names of the events in its JSON
+    std::optional<process::Behaviour> behaviour;        ///< of a counterexample to show: the behaviour of each part
 };
 
 struct ScriptPrint {
@@ -40,8 +42,10 @@ struct ScriptReport {
     std::vector<ScriptAssertion> assertions;
 };
 
+/// Stores the names of the events in the JSON of an assertion, because the JSON may be printed while the table grows.
+void name_events(ScriptAssertion&, const process::EventTable&, const Options&);
 /// One JSON object on one line, with the fields of FDR 4's `refines --format json` and additional ones (docs/cli.md).
-[[nodiscard]] std::string refines_json(const ScriptReport&, const process::EventTable&, const Options&);
+[[nodiscard]] std::string refines_json(const ScriptReport&, const Options&);
 /// The output of FDR 4's `refines` for one assertion.
 [[nodiscard]] std::string refines_plain(const ScriptAssertion&, const process::EventTable&, const Options&);
 /// The counterexample in our own format, with its split; each line is indented.

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "app/base/claim_selection.hpp"
+#include "app/claims/script_claims.hpp"
 #include "app/command/answer.hpp"
 #include "app/command/limits.hpp"
 #include "app/command/output.hpp"
@@ -30,109 +31,6 @@
 
 namespace robochart::app {
 namespace {
-
-Answer answer(refine::Outcome outcome) {
-    if (outcome == refine::Outcome::holds) return Answer::holds;
-    return outcome == refine::Outcome::fails ? Answer::fails : Answer::inconclusive;
-}
-
-/// The innermost calls, and the number of calls, which shows a deep recursion.
-std::string call_stack(const std::vector<std::string>& frames) {
-    constexpr std::size_t shown = 8;
-    std::string text;
-    for (std::size_t i = 0; i < frames.size() && i < shown; ++i)
-        text += fmt::format("\n               in {}", frames[i]);
-    if (frames.size() > shown) text += fmt::format("\n               and {} more", frames.size() - shown);
-    return text;
-}
-
-/// Stores the expressions of an assertion as text.
-void name_sides(const cspm::Assertion& assertion, ScriptAssertion& out) {
-    const bool refinement = assertion.kind == cspm::AssertionKind::refinement;
-    if (refinement) out.specification = cspm::print(assertion.specification);
-    out.process = cspm::print(refinement ? assertion.implementation : assertion.specification);
-}
-
-std::string without_keyword(const std::string& assertion) {
-    constexpr std::string_view keyword = "assert ";
-    return assertion.rfind(keyword, 0) == 0 ? assertion.substr(keyword.size()) : assertion;
-}
-
-std::string text_of(const cspm::Decl& assertion) {
-    return without_keyword(cspm::print(assertion));
-}
-
-AssertionReport undecided(const cspm::Decl& assertion) {
-    AssertionReport report;
-    report.title = text_of(assertion);
-    report.reason = undecided_at_limit;
-    return report;
-}
-
-/// Stores the current knowledge about an assertion while it is decided.
-void note_progress(const refine::Progress& progress, AssertionReport& report) {
-    if (progress.phase != refine::Progress::Phase::searching) return;
-    report.statistics.states = progress.states;
-    report.statistics.transitions = progress.transitions;
-    report.statistics.depth = progress.depth;
-    report.statistics.seconds = progress.seconds;
-    report.searched = true;
-}
-
-/// Data shared by the assertions of a script while they are decided.
-struct Deciding {
-    const Options& options;
-    const diagnostics::SourceManager& sources;
-    std::function<void(const refine::Progress&)> note;  ///< progress of the current assertion
-    std::string limit = "";  ///< the first limit that ended an assertion; "" if there is none
-};
-
-ScriptAssertion decide(cspm::Session& session, const cspm::Decl& assertion, std::size_t number, Deciding& deciding) {
-    const Options& options = deciding.options;
-    ScriptAssertion report;
-    report.number = number;
-    report.place = deciding.sources.place(assertion.span);
-    name_sides(assertion.assertion, report);
-    report.text = text_of(assertion);
-    refine::Limits bounds = limits(options, report.text);
-    bounds.progress = [&deciding, shown = bounds.progress](const refine::Progress& progress) {
-        if (shown) shown(progress);
-        deciding.note(progress);
-    };
-    try {
-        const diagnostics::Budget::Phase phase(options.run->budget(), "deciding " + report.text);
-        report.result = session.check(assertion, bounds);
-        report.answer = answer(report.result.verdict.outcome);
-        if (report.answer == Answer::inconclusive && deciding.limit.empty())
-            deciding.limit = options.run->budget().reached();
-        if (report.result.verdict.counterexample && !options.brief)
-            report.behaviour = session.behaviour_with_values(assertion, *report.result.verdict.counterexample, bounds);
-        if (!report.result.verdict.reason.empty()) report.errors.push_back(report.result.verdict.reason);
-    } catch (const diagnostics::LimitReached& reached) {  // before the search
-        options.run->finish();
-        report.answer = Answer::inconclusive;
-        report.errors.push_back(fmt::format("not begun: {}", deciding.limit.empty() ? reached.what() : deciding.limit));
-    } catch (const cspm::EvaluationError& error) {
-        report.answer = Answer::error;
-        report.errors.push_back(
-            fmt::format("{}: {}{}", deciding.sources.place(error.span), error.what(), call_stack(error.stack)));
-    }
-    return report;
-}
-
-/// The same result in the report over all scripts.
-AssertionReport in_report(const ScriptAssertion& assertion, const process::EventTable& events, const Options& options) {
-    AssertionReport report;
-    report.title = assertion.text;
-    report.place = assertion.place;
-    report.answer = assertion.answer;
-    report.statistics = assertion.result.verdict.statistics;
-    report.searched = !assertion.result.verdict.known;
-    if (!assertion.errors.empty()) report.reason = assertion.errors.front();
-    if (assertion.result.verdict.counterexample && !options.brief)
-        report.counterexample = counterexample_text(assertion, events, options);
-    return report;
-}
 
 /// `limit`: why the types are unknown; "" if they are known.
 std::string types_json(const std::string& path, const LoadedScript& loaded, const std::string& limit = "") {
@@ -265,46 +163,44 @@ std::vector<std::size_t> chosen_of(const std::vector<cspm::DeclPtr>& assertions,
     return selection.chosen;
 }
 
-/// In formats that allow it, each answer is printed at once.
-void decide_all(const LoadedScript& loaded, cspm::Session& session, const Options& options, ScriptReport& script,
-                Report& report) {
-    const auto assertions = session.assertions();
+/// The data that the last word of the run may still have to print.
+struct Known {
+    Report report;
+    ScriptReport script;                 ///< whose object has not been printed; without a path: none
+    bool last = false;                   ///< it is the last script
+    bool asks = false;                   ///< some script has assertions or print statements
+    std::vector<RefusedReport> refused;  ///< scripts with errors, for JUnit
+};
+
+/// One assertion, in the formats that do not wait for the others.
+void print_decided(const ScriptAssertion& decided, const process::EventTable& events, const Options& options,
+                   const ScriptReport& script) {
+    if (options.format != Format::plain && options.format != Format::framed_json) return;
+    const auto edit = options.run->edit();  // so that the last word is not printed in between
+    if (options.format == Format::plain) {
+        print_text(refines_plain(decided, events, options));
+    } else {
+        ScriptReport frame = script;
+        frame.assertions = {decided};
+        print_exact(refines_json(frame, options));
+    }
+    finish_output();
+}
+
+void decide_all(const LoadedScript& loaded, OpenScript& open, const Options& options, Known& known) {
+    const auto assertions = open.session().assertions();
+    ScriptReport& script = known.script;
     const std::vector<std::size_t> chosen = chosen_of(assertions, options, script.path);
-    if (assertions.empty() && script.prints.empty()) note_no_assertions(loaded, options, script);
-    std::size_t at = report.assertions.size();
     {
         const auto edit = options.run->edit();
-        report.summary += fmt::format("{}{} assertions", report.summary.empty() ? "" : ", ", assertions.size());
-        for (const std::size_t i : chosen) report.assertions.push_back(undecided(*assertions[i]));
+        if (assertions.empty() && script.prints.empty()) note_no_assertions(loaded, options, script);
+        std::string& summary = known.report.summary;
+        summary += fmt::format("{}{} assertions", summary.empty() ? "" : ", ", assertions.size());
     }
-    const auto note = [&](const refine::Progress& progress) {
-        const auto edit = options.run->edit();
-        note_progress(progress, report.assertions[at]);
-    };
-    Deciding deciding{options, loaded.sources, note};
-    for (const std::size_t i : chosen) {
-        ScriptAssertion decided = decide(session, *assertions[i], i + 1, deciding);
-        {
-            AssertionReport one = in_report(decided, session.event_table(), options);
-            const auto edit = options.run->edit();
-            report.assertions[at++] = std::move(one);
-        }
-        std::string text;
-        if (options.format == Format::plain) text = refines_plain(decided, session.event_table(), options);
-        if (options.format == Format::framed_json) {
-            ScriptReport frame = script;
-            frame.assertions = {decided};
-            text = refines_json(frame, session.event_table(), options);
-        }
-        if (options.format != Format::framed_json || is_asked_for(options, Format::json))
-            script.assertions.push_back(std::move(decided));
-        const auto edit = options.run->edit();  // so that the last word is not printed in between
-        if (options.format == Format::plain)
-            print_text(text);
-        else
-            print_exact(text);
-        finish_output();
-    }
+    ScriptClaims claims(open, loaded, options, chosen, script, known.report);
+    claims.decide([&](const ScriptAssertion& decided, const process::EventTable& events) {
+        print_decided(decided, events, options, script);
+    });
 }
 
 Exit worse(Exit a, Exit b) {
@@ -315,15 +211,6 @@ Exit worse(Exit a, Exit b) {
     return rank(a) < rank(b) ? b : a;
 }
 
-/// The data that the last word of the run may still have to print.
-struct Known {
-    Report report;
-    std::string open;                    ///< script whose object has not been printed; "": none
-    bool last = false;                   ///< it is the last script
-    bool asks = false;                   ///< some script has assertions or print statements
-    std::vector<RefusedReport> refused;  ///< scripts with errors, for JUnit
-};
-
 /// The report, extended by a case for each script with errors.
 Report with_refused(const Known& known) {
     Report report = known.report;
@@ -332,8 +219,8 @@ Report with_refused(const Known& known) {
 }
 
 /// Stores the contents of the files of --json (per script) and --junit (for the run).
-void keep_object(const ScriptReport& script, const process::EventTable& events, const Options& options) {
-    if (is_asked_for(options, Format::json)) keep_json(refines_json(script, events, options), options);
+void keep_object(const ScriptReport& script, const Options& options) {
+    if (options.files.contains(Format::json)) keep_json(refines_json(script, options), options);
 }
 void keep_cases(const Known& known, const Options& options) {
     if (const auto file = options.files.find(Format::junit); file != options.files.end())
@@ -357,80 +244,87 @@ void print_report(const Known& known, const Options& options) {
 void print_last(const std::string& text, const Options& options, Known& known) {
     if (known.last) options.run->finish();
     const auto edit = options.run->edit();
-    known.open.clear();
+    known.script = {};
     print_exact(text);
     finish_output();
 }
 
 /// Prints the object of a script, in the formats that have one.
-void print_object(const ScriptReport& script, const process::EventTable& events, const Options& options, Known& known) {
-    keep_object(script, events, options);
+void print_object(const Options& options, Known& known) {
+    const bool json = options.format == Format::json || options.format == Format::framed_json;
+    const auto edit = options.run->edit();
+    keep_object(known.script, options);
+    print_last(json ? refines_json(known.script, options) : "", options, known);
+}
+
+/// The script's errors so far, also as the case of a script that is refused.
+Exit refuse(const Options& options, Known& known) {
+    note_refused(known.script, options, known);
+    print_object(options, known);
+    return Exit::bad_input;
+}
+
+/// Decides what a script asks. Throws LimitReached where a limit leaves none of it decided.
+Exit decide_loaded(const LoadedScript& loaded, const Options& options, Known& known) {
+    ScriptReport& script = known.script;
+    bool stopped = false;
+    std::optional<diagnostics::Budget::Phase> reading(std::in_place, options.run->budget(), "reading " + script.path);
+    OpenScript open(loaded, options);
+    reading.reset();
+    std::vector<ScriptPrint> prints = print_statements(open.session(), loaded, options, stopped);
+    const bool failed = std::ranges::any_of(prints, [](const ScriptPrint& each) { return each.failed; });
     {
         const auto edit = options.run->edit();
-        known.open.clear();
+        script.prints = std::move(prints);
     }
-    const bool json = options.format == Format::json || options.format == Format::framed_json;
-    if (json) print_last(refines_json(script, events, options), options, known);
+    show_prints(script, options);
+    const bool asserts = !open.session().assertions().empty();
+    decide_all(loaded, open, options, known);
+    known.asks = known.asks || asserts || !script.prints.empty();
+    for (const std::string& error : script.errors) print_error("{}\n", error);
+    if (!script.errors.empty()) return refuse(options, known);
+    // Frames belong to assertions; a script with only print statements gets one frame.
+    if (options.format == Format::framed_json && asserts) {
+        const auto edit = options.run->edit();
+        keep_object(script, options);
+        print_last("", options, known);
+    } else {
+        print_object(options, known);
+    }
+    if (known.last) options.run->finish();
+    if (failed) return Exit::bad_input;
+    return stopped ? Exit::inconclusive : Exit::success;
 }
 
 /// Decides one script and adds its results to the common report.
-Exit decide_script(const std::string& path, const Options& options, Known& known) {
-    Report& report = known.report;
+Exit decide_script(const Options& options, Known& known) {
     LoadedScript loaded;
     loaded.diagnostics.within(&options.run->budget());
     {
-        const diagnostics::Budget::Phase phase(options.run->budget(), "reading " + path);
-        load_script(path, loaded);
+        const diagnostics::Budget::Phase phase(options.run->budget(), "reading " + known.script.path);
+        load_script(known.script.path, loaded);
     }
     show_findings(loaded, options);
-    ScriptReport script;
-    script.path = path;
-    take_findings(loaded, script);
-    const bool json = options.format == Format::json || options.format == Format::framed_json;
-    const process::EventTable no_events;
-    if (!loaded.diagnostics.ok()) {
-        print_object(script, no_events, options, known);
-        note_refused(script, options, known);
-        return Exit::bad_input;
+    {
+        const auto edit = options.run->edit();
+        take_findings(loaded, known.script);
     }
-    bool stopped = false;
+    if (!loaded.diagnostics.ok()) return refuse(options, known);
     try {
-        std::optional<diagnostics::Budget::Phase> reading(std::in_place, options.run->budget(), "reading " + path);
-        cspm::Session session(loaded.script, &options.run->budget());
-        reading.reset();
-        if (diagnostics::Cache* const cache = options.run->cache()) session.remember(*cache);
-        script.prints = print_statements(session, loaded, options, stopped);
-        show_prints(script, options);
-        decide_all(loaded, session, options, script, report);
-        known.asks = known.asks || !session.assertions().empty() || !script.prints.empty();
-        // Frames belong to assertions; a script with only print statements gets one frame.
-        const bool frame = options.format == Format::framed_json && session.assertions().empty();
-        if (frame || !json || options.format == Format::json) {
-            print_object(script, session.event_table(), options, known);
-        } else {
-            keep_object(script, session.event_table(), options);
-            print_last("", options, known);
-        }
-        if (known.last) options.run->finish();
+        return decide_loaded(loaded, options, known);
     } catch (const diagnostics::LimitReached& limit) {
         options.run->finish();
-        script.errors.emplace_back(limit.what());
-        report.limit = limit.what();
-        print_object(script, no_events, options, known);
+        known.script.errors.emplace_back(limit.what());
+        known.report.limit = limit.what();
+        print_object(options, known);
         return Exit::inconclusive;
     } catch (const cspm::EvaluationError& error) {
-        script.errors.push_back(
+        const auto edit = options.run->edit();
+        known.script.errors.push_back(
             fmt::format("{}: {}", diagnostics::shown(loaded.sources.place(error.span)), error.what()));
-        print_object(script, no_events, options, known);
+        print_error("{}\n", known.script.errors.back());
+        return refuse(options, known);
     }
-    for (const std::string& error : script.errors) print_error("{}\n", error);
-    if (!script.errors.empty()) {
-        note_refused(script, options, known);
-        return Exit::bad_input;
-    }
-    const bool failed = std::ranges::any_of(script.prints, [](const ScriptPrint& each) { return each.failed; });
-    if (failed) return Exit::bad_input;
-    return stopped ? Exit::inconclusive : Exit::success;
 }
 
 /// Reads standard input; included files are searched for in the current folder.
@@ -453,6 +347,33 @@ cspm::Script read_standard_input(LoadedScript& loaded) {
         whole.decls.insert(whole.decls.end(), included.decls.begin(), included.decls.end());
     }
     return whole;
+}
+
+/// The last word. What has been decided is in the object of the script that is open, and what has not says why; frames
+/// of what has been decided are printed already.
+Exit say_what_is_known(const std::string& why, const Options& options, Known& known) {
+    Report& report = known.report;
+    report.limit = why;
+    for (AssertionReport& each : report.assertions)
+        if (each.reason == undecided_at_limit) each.reason = fmt::format("not decided: {}", why);
+    ScriptReport& script = known.script;
+    for (ScriptAssertion& each : script.assertions)
+        if (each.errors == std::vector<std::string>{undecided_at_limit}) each.errors = {"not decided: " + why};
+    script.errors.push_back(why);
+    const bool is_open = !script.path.empty();
+    if (is_open) keep_object(script, options);
+    keep_cases(known, options);
+    if (options.format == Format::text || options.format == Format::junit) {
+        print_report(known, options);
+    } else if (options.format == Format::plain) {
+        print_error("robochart-verify: {}\n", why);
+    } else if (is_open) {
+        if (options.format == Format::framed_json)
+            std::erase_if(script.assertions,
+                          [](const ScriptAssertion& each) { return each.answer != Answer::inconclusive; });
+        print_exact(refines_json(script, options));
+    }
+    return report.exit();
 }
 
 }  // namespace
@@ -484,33 +405,17 @@ Exit run_cspm(const Options& options) {
     Report& report = known->report;
     report.model = fmt::format("{}", fmt::join(options.inputs, " "));
     report.subject = "process";
-    options.run->last_word([known, &options](const std::string& why) {
-        known->report.limit = why;
-        for (AssertionReport& each : known->report.assertions)
-            if (each.reason == undecided_at_limit) each.reason = fmt::format("not decided: {}", why);
-        ScriptReport script;
-        script.path = known->open;
-        script.errors.push_back(why);
-        const process::EventTable no_events;
-        const bool json = options.format == Format::json || options.format == Format::framed_json;
-        if (!known->open.empty()) keep_object(script, no_events, options);
-        keep_cases(*known, options);
-        if (options.format == Format::text || options.format == Format::junit)
-            print_report(*known, options);
-        else if (!json)
-            print_error("robochart-verify: {}\n", why);
-        else if (!known->open.empty())
-            print_exact(refines_json(script, no_events, options));
-        return known->report.exit();
-    });
+    options.run->last_word(
+        [known, &options](const std::string& why) { return say_what_is_known(why, options, *known); });
     Exit exit = Exit::success;
     for (const std::string& path : options.inputs) {
         {
             const auto edit = options.run->edit();
-            known->open = path;
+            known->script = {};
+            known->script.path = path;
             known->last = &path == &options.inputs.back();
         }
-        exit = worse(exit, decide_script(path, options, *known));
+        exit = worse(exit, decide_script(options, *known));
         if (!report.limit.empty()) break;
     }
     options.run->finish();

@@ -17,7 +17,7 @@ _robochart_verify_options() {
     'emit monitor') echo '--const --range --print --allow --deny-warnings --component --cycle -o --out --format --json --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'emit tests') echo '--const --range --print --allow --deny-warnings --component --cycle --extra-states -o --out --format --json --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'conform') echo '--const --range --print --allow --deny-warnings --component --cycle --all-choices --model --walks --export --traces -o --out --format --json --junit --html --color -q --quiet --trace --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
-    'cspm') echo '--assertion --typecheck --types --format --json --junit --color -q --quiet -b --brief --reveal-taus --split --export --progress --memory --timeout --threads --no-reduction --checkpoint --every --resume --disk --max-states --no-cache -h --help' ;;
+    'cspm') echo '--assertion --typecheck --types --format --json --junit --color -q --quiet -b --brief --reveal-taus --split --export --progress --memory --timeout --assertion-timeout --threads --no-reduction --checkpoint --every --resume --disk --max-states --no-cache -h --help' ;;
     'prism') echo '--property --exact --epsilon --sim --scheduler --seed --const --allow --format --json --plot --color -q --quiet --export --memory --timeout --threads --max-states -h --help' ;;
     'rules') echo '--without-limit --as-sleec-tk --suggest --const --range --allow --deny-warnings --component --format --json --color -q --quiet --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'step') echo '--untimed --const --range --allow --deny-warnings --html --color --memory --timeout -h --help' ;;
@@ -98,7 +98,7 @@ _robochart_verify_argument() {
     'help --generate') echo 'man bash zsh fish' ;;
     'verify --memory' | 'validate --memory' | 'check --memory' | 'emit csp --memory' | 'emit cpp --memory' | 'emit prism --memory' | 'emit monitor --memory' | 'emit tests --memory' | 'conform --memory' | 'cspm --memory' | 'prism --memory' | 'rules --memory' | 'step --memory' | 'draw --memory' | 'simulate --memory' | 'tune --memory' | 'format --memory') echo '<value>' ;;
     'verify --timeout' | 'validate --timeout' | 'check --timeout' | 'emit csp --timeout' | 'emit cpp --timeout' | 'emit prism --timeout' | 'emit monitor --timeout' | 'emit tests --timeout' | 'conform --timeout' | 'cspm --timeout' | 'prism --timeout' | 'rules --timeout' | 'step --timeout' | 'draw --timeout' | 'simulate --timeout' | 'tune --timeout' | 'format --timeout') echo '<value>' ;;
-    'verify --assertion-timeout' | 'check --assertion-timeout') echo '<value>' ;;
+    'verify --assertion-timeout' | 'check --assertion-timeout' | 'cspm --assertion-timeout') echo '<value>' ;;
     'verify --threads' | 'check --threads' | 'emit csp --threads' | 'emit cpp --threads' | 'emit prism --threads' | 'emit monitor --threads' | 'emit tests --threads' | 'conform --threads' | 'cspm --threads' | 'rules --threads') echo '<value>' ;;
     'simulate --threads' | 'tune --threads') echo '<value>' ;;
     'prism --threads') echo '<value>' ;;

@@ -295,17 +295,66 @@ assert STOP [T= STOP
                       HasSubstr("1 of 4 checks hold, 3 inconclusive")));
 }
 
-TEST(Refines, WhatWasNotBegunIsSaid) {
-    const TemporaryFile script("begun.csp", R"(channel a : {0..25}.{0..3}
-S = ||| i : {0..25} @ a.i.0 -> a.i.1 -> a.i.2 -> STOP
-channel e
-assert not S :[has trace [T]]: <a.0.0, e>
-assert S :[divergence free]
-assert STOP [T= STOP
+// 61 * 59 * ... * 37 states, and two claims that are decided at once.
+const std::string too_large = R"(channel a, b, c, d, e, f, g : {0..60}
+C(ch, n, m) = ch!n -> C(ch, (n + 1) % m, m)
+Big = C(a,0,61) ||| C(b,0,59) ||| C(c,0,53) ||| C(d,0,47) ||| C(e,0,43) ||| C(f,0,41) ||| C(g,0,37)
+Small = a!0 -> Small
+assert Big :[deadlock free]
+assert Small :[deadlock free]
+assert STOP [T= Small
+)";
+
+TEST(Refines, OneThatIsNotDecidedDoesNotKeepTheOthersFromTheirAnswers) {
+    const TemporaryFile script("large.csp", too_large);
+    const Ran ran = run({"cspm", script.path(), "--no-cache", "--timeout", "4", "--format", "json"});
+    EXPECT_EQ(ran.exit, 1);
+    const Json results = Json::parse(ran.out)["results"];
+    ASSERT_EQ(results.size(), 3U);  // in the order of the script
+    EXPECT_EQ(results[0]["answer"], "inconclusive");
+    EXPECT_THAT(results[0]["errors"][0].get<std::string>(), HasSubstr("no violation in runs of up to"));
+    EXPECT_EQ(results[1]["answer"], "holds");
+    EXPECT_EQ(results[2]["answer"], "fails");
+    EXPECT_EQ(results[2]["counterexamples"].size(), 1U);
+}
+
+TEST(Refines, EachAssertionMayHaveATimeLimit) {
+    const TemporaryFile script("large.csp", too_large);
+    const Ran ran = run({"cspm", script.path(), "--no-cache", "--assertion-timeout", "1"});
+    EXPECT_EQ(ran.exit, 1);
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("its time limit was reached (--assertion-timeout 1); no violation in runs"),
+                               HasSubstr("--assertion-timeout gives each assertion more time"),
+                               HasSubstr("1 of 3 checks hold, 1 fail, 1 inconclusive")));
+}
+
+TEST(Refines, OneThatReachesTheMemoryLimitDoesNotEndTheOthers) {
+    const TemporaryFile script("large.csp", too_large);
+    const Ran ran = run({"cspm", script.path(), "--no-cache", "--memory", "150MiB", "--timeout", "100"});
+    EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("the memory limit of 150 MiB was reached"), HasSubstr("--disk DIR keeps"),
+                               HasSubstr("1 of 3 checks hold, 1 fail, 1 inconclusive")));
+}
+
+// What the session of the script keeps is given back as well: terms and values.
+TEST(Refines, NeitherDoesOneWhoseTermsReachIt) {
+    const TemporaryFile script("longer.csp", R"(channel a : {0..99}
+N(s) = a?x -> N(s ^ <x>)
+Small = a!0 -> Small
+assert N(<>) :[divergence free]
+assert Small :[deadlock free]
 )");
-    const Ran ran = run({"cspm", script.path(), "--timeout", "0.3", "--no-reduction"});
+    const Ran ran = run({"cspm", script.path(), "--no-cache", "--memory", "150MiB", "--timeout", "100"});
+    EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("1 of 2 checks hold, 1 inconclusive"));
+}
+
+// A search that is kept in files has one turn, so the next ones wait for it.
+TEST(Refines, WhatWasNotBegunIsSaid) {
+    const TemporaryFile script("large.csp", too_large);
+    const Folder folder;
+    const Ran ran = run({"cspm", script.path(), "--no-cache", "--timeout", "1", "--disk", folder / "kept"});
     EXPECT_EQ(ran.exit, 3);
-    EXPECT_THAT(ran.out, AllOf(HasSubstr("not begun: the time limit was reached while deciding S"),
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("not begun: the time limit was reached while deciding Big"),
                                Not(HasSubstr("while reading"))));
 }
 

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/claims/script_claims.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "app/command/limits.hpp"
+#include "app/command/run.hpp"
+#include "checker/cspm/syntax/reader.hpp"
+
+namespace robochart::app {
+namespace {
+
+Answer answer(refine::Outcome outcome) {
+    if (outcome == refine::Outcome::holds) return Answer::holds;
+    return outcome == refine::Outcome::fails ? Answer::fails : Answer::inconclusive;
+}
+
+/// The innermost calls, and the number of calls, which shows a deep recursion.
+std::string call_stack(const std::vector<std::string>& frames) {
+    constexpr std::size_t shown = 8;
+    std::string text;
+    for (std::size_t i = 0; i < frames.size() && i < shown; ++i)
+        text += fmt::format("\n               in {}", frames[i]);
+    if (frames.size() > shown) text += fmt::format("\n               and {} more", frames.size() - shown);
+    return text;
+}
+
+/// An assertion of which nothing is known.
+ScriptAssertion undecided(const cspm::Decl& assertion, std::size_t number, const diagnostics::SourceManager& sources) {
+    ScriptAssertion result;
+    result.number = number;
+    result.text = text_of(assertion);
+    result.place = sources.place(assertion.span);
+    const cspm::Assertion& asked = assertion.assertion;
+    const bool refinement = asked.kind == cspm::AssertionKind::refinement;
+    if (refinement) result.specification = cspm::print(asked.specification);
+    result.process = cspm::print(refinement ? asked.implementation : asked.specification);
+    result.result.negated = asked.negated;
+    result.errors = {undecided_at_limit};
+    return result;
+}
+
+/// The same result in the report over all scripts.
+AssertionReport in_report(const ScriptAssertion& assertion, const process::EventTable& events, const Options& options) {
+    AssertionReport report;
+    report.title = assertion.text;
+    report.place = assertion.place;
+    report.answer = assertion.answer;
+    report.statistics = assertion.result.verdict.statistics;
+    report.searched = !assertion.result.verdict.known;
+    if (!assertion.errors.empty()) report.reason = assertion.errors.front();
+    if (assertion.result.verdict.counterexample && !options.brief)
+        report.counterexample = counterexample_text(assertion, events, options);
+    return report;
+}
+
+}  // namespace
+
+OpenScript::OpenScript(const LoadedScript& loaded, const Options& options) : loaded_(loaded), options_(options) {
+    (void)session();
+}
+
+cspm::Session& OpenScript::session() {
+    if (session_) return *session_;
+    session_ = std::make_unique<cspm::Session>(loaded_.script, &options_.run->budget());
+    if (diagnostics::Cache* const cache = options_.run->cache()) session_->remember(*cache);
+    for (const std::string& name : std::exchange(events_, {})) session_->event_table().intern(name);
+    return *session_;
+}
+
+void OpenScript::give_back() {
+    if (!session_) return;
+    const process::EventTable& events = session_->event_table();
+    for (process::Event event = 0; event < events.size(); ++event) events_.push_back(events.name(event));
+    session_.reset();
+}
+
+std::string text_of(const cspm::Decl& assertion) {
+    constexpr std::string_view keyword = "assert ";
+    const std::string text = cspm::print(assertion);
+    return text.starts_with(keyword) ? text.substr(keyword.size()) : text;
+}
+
+ScriptClaims::ScriptClaims(OpenScript& open, const LoadedScript& loaded, const Options& options,
+                           const std::vector<std::size_t>& chosen, ScriptReport& script, Report& report)
+    : open_(open),
+      sources_(loaded.sources),
+      options_(options),
+      script_(script),
+      report_(report),
+      first_(report.assertions.size()),
+      begun_(chosen.size()),
+      shown_(chosen.size()) {
+    const std::vector<cspm::DeclPtr> all = open.session().assertions();
+    const auto edit = options.run->edit();
+    for (const std::size_t i : chosen) {
+        assertions_.push_back(all[i]);
+        script.assertions.push_back(undecided(*all[i], i + 1, sources_));
+        report.assertions.push_back(in_report(script.assertions.back(), open.session().event_table(), options));
+    }
+}
+
+void ScriptClaims::decide(const Show& show) {
+    std::vector<WaitingClaim> claims;
+    for (std::size_t at = 0; at < assertions_.size(); ++at)
+        claims.push_back({script_.assertions[at].text,
+                          [this, at, &show](const Options& turn) { return decide_in(turn, at, show); }});
+    try {
+        decide_in_turns(claims, options_, [this] { open_.give_back(); });
+    } catch (const diagnostics::LimitReached& limit) {
+        options_.run->finish();
+        say_not_begun(limit.what());
+    }
+    const process::EventTable no_events;  // without an answer there are none
+    for (std::size_t at = 0; at < assertions_.size(); ++at)
+        if (!shown_[at]) show(script_.assertions[at], no_events);
+}
+
+bool ScriptClaims::decide_in(const Options& given, std::size_t at, const Show& show) {
+    Options turn = given;
+    turn.on_progress = [this, at](const refine::Progress& progress) { note(progress, at); };
+    begun_[at] = true;
+    ScriptAssertion one = undecided(*assertions_[at], script_.assertions[at].number, sources_);
+    decide_one(turn, *assertions_[at], one);
+    const bool decided = one.answer != Answer::inconclusive;
+    take(at, std::move(one));
+    if (!decided) return false;
+    shown_[at] = true;
+    show(script_.assertions[at], open_.session().event_table());
+    return true;
+}
+
+void ScriptClaims::decide_one(const Options& turn, const cspm::Decl& assertion, ScriptAssertion& one) {
+    const refine::Limits bounds = limits(turn, one.text);
+    one.errors.clear();
+    try {
+        one.result = open_.session().check(assertion, bounds);
+        one.answer = answer(one.result.verdict.outcome);
+        if (one.result.verdict.counterexample && !options_.brief)
+            one.behaviour =
+                open_.session().behaviour_with_values(assertion, *one.result.verdict.counterexample, bounds);
+        if (!one.result.verdict.reason.empty()) one.errors.push_back(ended_turn(one.result.verdict.reason, turn));
+    } catch (const cspm::EvaluationError& error) {
+        one.answer = Answer::error;
+        one.errors.push_back(
+            fmt::format("{}: {}{}", sources_.place(error.span), error.what(), call_stack(error.stack)));
+    }
+}
+
+void ScriptClaims::take(std::size_t at, ScriptAssertion one) {
+    name_events(one, open_.session().event_table(), options_);
+    AssertionReport reported = in_report(one, open_.session().event_table(), options_);
+    const auto edit = options_.run->edit();
+    report_.assertions[first_ + at] = std::move(reported);
+    script_.assertions[at] = std::move(one);
+}
+
+/// What is known of an assertion if the run ends now.
+void ScriptClaims::note(const refine::Progress& progress, std::size_t at) {
+    const auto edit = options_.run->edit();
+    refine::Statistics& known = report_.assertions[first_ + at].statistics;
+    if (progress.phase != refine::Progress::Phase::searching || progress.states < known.states) return;
+    report_.assertions[first_ + at].searched = true;
+    known.states = progress.states;
+    known.transitions = progress.transitions;
+    known.depth = progress.depth;
+    known.seconds = progress.seconds;
+    script_.assertions[at].result.verdict.statistics = known;
+}
+
+void ScriptClaims::say_not_begun(const std::string& why) {
+    const auto edit = options_.run->edit();
+    for (std::size_t at = 0; at < assertions_.size(); ++at) {
+        if (begun_[at]) continue;
+        script_.assertions[at].errors = {"not begun: " + why};
+        report_.assertions[first_ + at].reason = script_.assertions[at].errors.front();
+    }
+}
+
+}  // namespace robochart::app
