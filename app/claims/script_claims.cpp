@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "app/claims/script_basis.hpp"
 #include "app/command/limits.hpp"
 #include "app/command/run.hpp"
 #include "checker/cspm/syntax/reader.hpp"
@@ -50,6 +51,7 @@ AssertionReport in_report(const ScriptAssertion& assertion, const process::Event
     report.answer = assertion.answer;
     report.statistics = assertion.result.verdict.statistics;
     report.searched = !assertion.result.verdict.known;
+    report.basis = assertion.basis;
     if (!assertion.errors.empty()) report.reason = assertion.errors.front();
     if (assertion.result.verdict.counterexample && !options.brief)
         report.counterexample = counterexample_text(assertion, events, options);
@@ -138,6 +140,7 @@ void ScriptClaims::decide_one(const Options& turn, const cspm::Decl& assertion, 
     try {
         one.result = open_.session().check(assertion, bounds);
         one.answer = answer(one.result.verdict.outcome);
+        one.basis = basis_of(open_.session(), assertion, one.result, turn);
         if (one.result.verdict.counterexample && !options_.brief)
             one.behaviour =
                 open_.session().behaviour_with_values(assertion, *one.result.verdict.counterexample, bounds);

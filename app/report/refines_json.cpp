@@ -229,6 +229,7 @@ Json result(const ScriptAssertion& a, EventMap& events, const Options& options) 
     json["replicas"] = verdict.statistics.replicas;
     json["distinguished_replicas"] = verdict.statistics.distinguished;
     if (verdict.known) json["known"] = true;
+    if (!a.basis.empty()) json["basis"] = grounds_json(a.basis);
     return json;
 }
 

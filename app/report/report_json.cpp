@@ -4,12 +4,26 @@
 
 #include "app/report/probability_report.hpp"
 #include "app/report/report.hpp"
+#include "app/report/script_report.hpp"
 #include "conformance/model/rules.hpp"
 #include "diagnostics/json.hpp"
 #include "runs/json.hpp"
 #include "runs/text.hpp"
 
 namespace robochart::app {
+
+diagnostics::Json grounds_json(const Basis& basis) {
+    diagnostics::Json json = diagnostics::Json::array();
+    for (const Ground& ground : basis) {
+        diagnostics::Json& one =
+            json.emplace_back(diagnostics::Json{{"kind", name_of(ground.kind)}, {"text", ground.text}});
+        if (!ground.element.empty()) one["element"] = ground.element;
+        if (!ground.place.empty()) one["place"] = ground.place;
+        if (!ground.remedy.empty()) one["remedy"] = ground.remedy;
+    }
+    return json;
+}
+
 namespace {
 
 using diagnostics::Json;
@@ -29,17 +43,6 @@ Json counterexample(const runs::Run& run) {
     return json;
 }
 
-Json grounds(const Basis& basis) {
-    Json json = Json::array();
-    for (const Ground& ground : basis) {
-        Json& one = json.emplace_back(Json{{"kind", name_of(ground.kind)}, {"text", ground.text}});
-        if (!ground.element.empty()) one["element"] = ground.element;
-        if (!ground.place.empty()) one["place"] = ground.place;
-        if (!ground.remedy.empty()) one["remedy"] = ground.remedy;
-    }
-    return json;
-}
-
 Json assertion(const AssertionReport& a) {
     Json json{{"title", a.title},
               {"place", a.place},
@@ -52,7 +55,7 @@ Json assertion(const AssertionReport& a) {
             {"component", a.core->component}, {"property", a.core->property}, {"information", a.core->information}};
     if (a.probability) json["probability"] = probability_json(*a.probability);
     if (!a.reason.empty()) json["reason"] = a.reason;
-    if (!a.basis.empty()) json["basis"] = grounds(a.basis);
+    if (!a.basis.empty()) json["basis"] = grounds_json(a.basis);
     if (a.run) json["counterexample"] = counterexample(*a.run);
     return json;
 }

@@ -11,6 +11,7 @@
 #include "app/command/options.hpp"
 #include "app/report/report.hpp"
 #include "checker/cspm/session.hpp"
+#include "diagnostics/json.hpp"
 
 namespace robochart::app {
 
@@ -23,6 +24,7 @@ struct ScriptAssertion {
     std::string process;        ///< the implementation, or the subject of a property
     Answer answer = Answer::inconclusive;
     std::vector<std::string> errors;  ///< why there is no answer
+    Basis basis = {};                 ///< what the answer rests on
     cspm::AssertionResult result;
     std::map<process::Event, std::string> events = {};  ///< names of the events in its JSON
     std::optional<process::Behaviour> behaviour;        ///< of a counterexample to show: the behaviour of each part
@@ -42,6 +44,8 @@ struct ScriptReport {
     std::vector<ScriptAssertion> assertions;
 };
 
+/// The grounds of a verdict in JSON, as in every report.
+[[nodiscard]] diagnostics::Json grounds_json(const Basis&);
 /// Stores the names of the events in the JSON of an assertion, because the JSON may be printed while the table grows.
 void name_events(ScriptAssertion&, const process::EventTable&, const Options&);
 /// One JSON object on one line, with the fields of FDR 4's `refines --format json` and additional ones (docs/cli.md).

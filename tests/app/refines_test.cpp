@@ -348,6 +348,30 @@ assert Small :[deadlock free]
     EXPECT_THAT(ran.out, HasSubstr("1 of 2 checks hold, 1 inconclusive"));
 }
 
+// P may go on with the hidden `a` for ever: in the failures model nothing is known of what it refuses.
+TEST(Refines, WhatTheFailuresModelDoesNotLookAtIsSaid) {
+    const TemporaryFile script("restless.csp", R"(channel a, b
+P = a -> P [] b -> P
+Restless = P \ {a}
+assert Restless :[deadlock free [F]]
+assert Restless :[deterministic [F]]
+assert RUN({b}) [F= Restless
+assert RUN({b}) [T= Restless
+assert RUN({a,b}) [F= P
+)");
+    const Ran ran = run({"cspm", script.path(), "--format", "json"});
+    EXPECT_EQ(ran.exit, 0) << ran.out;
+    const Json results = Json::parse(ran.out)["results"];
+    ASSERT_EQ(results.size(), 5U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        ASSERT_EQ(results[i]["basis"].size(), 1U) << i;
+        EXPECT_EQ(results[i]["basis"][0]["kind"], "neverAtRest");
+    }
+    EXPECT_FALSE(results[3].contains("basis")) << "traces refuse nothing";
+    EXPECT_FALSE(results[4].contains("basis")) << "P comes to rest";
+    EXPECT_THAT(run({"cspm", script.path()}).out, HasSubstr("rests on: it can go on internally for ever"));
+}
+
 // A search that is kept in files has one turn, so the next ones wait for it.
 TEST(Refines, WhatWasNotBegunIsSaid) {
     const TemporaryFile script("large.csp", too_large);
