@@ -187,7 +187,7 @@ void SecondLook::add_of_refinement(const cspm::Decl& decl, bool timed, Assertion
     if (report.answer != Answer::holds) return;
     // Only for components: a process that a block defines may stop time.
     const bool of_model = !csp_emit::components_in(emission_, {assertion.implementation}).empty();
-    if (timed && of_model && assertion.model == cspm::Model::traces) add_time_stops(assertion.implementation, report);
+    if (timed && of_model) add_time_stops(assertion.implementation, report);
     if (assertion.model == cspm::Model::failures) {
         const Seen& seen = look(assertion.implementation);
         if (seen.whole && seen.diverges)

@@ -149,7 +149,8 @@ void RuleClaims::decide(const ir::Property& property, const Options& options, As
                 if (!property.negated) report.run = std::move(judged.run);
                 return;
             case RuleVerdict::Kind::never_asked:
-                report.reason = "no run ever brings the rule to ask for anything";
+                add(report.basis,
+                    {GroundKind::never_asked, "no run ever brings the rule to ask for anything", {}, {}, {}, {}});
                 break;
             case RuleVerdict::Kind::obeyed:
                 break;
@@ -157,9 +158,14 @@ void RuleClaims::decide(const ir::Property& property, const Options& options, As
         report.answer = property.negated ? Answer::fails : Answer::holds;
         if (property.negated && report.reason.empty()) report.reason = "every run obeys the rule";
         const TimeStops time = time_stops(*asked, *found.file, options);
-        const std::string behind = report.reason.empty() ? "" : "; ";
         if (time.stops)
-            report.reason += fmt::format("{}time can stop in {}, which breaks no rule", behind, asked->path);
+            add(report.basis, {GroundKind::time_stops,
+                               fmt::format("time can stop in {}, which breaks no rule", asked->path),
+                               {},
+                               {},
+                               {},
+                               "`is timelock-free` shows a run to where time stops"});
+        const std::string behind = report.reason.empty() ? "" : "; ";
         if (!time.unknown.empty())
             report.reason +=
                 fmt::format("{}not decided whether time can stop in {}: {}", behind, asked->path, time.unknown);

@@ -235,14 +235,35 @@ timed csp Soon csp-begin
 	Soon = late::Late::a.in -> Due(1) [] tock -> Soon
 	Due(n) = late::Late::b.out -> Soon [] (if n == 0 then STOP else tock -> Due(n - 1))
 csp-end
+timed csp Stops csp-begin
+	Stops = late::Late::a.in -> Then(1) [] tock -> Stops
+	Then(n) = if n == 0 then STOP else tock -> Then(n - 1)
+csp-end
 timed assertion InTime : late::Late refines Soon in the traces model
+timed assertion Stopped : late::Late refines Stops
 timed assertion Free : late::Ends is deadlock-free
 timed assertion Taken : event a is not missed in late::Late::A
 )";
     const auto found = checked({{"late.rct", model}, {"late.assertions", claims}});
     EXPECT_EQ(found, (std::map<std::string, Kinds>{{"InTime [timed]: holds", {{"timeStops", ""}, {"neverAsked", ""}}},
+                                                   {"Stopped [timed]: holds", {{"timeStops", ""}}},
                                                    {"Free [timed]: holds", {{"ended", ""}}},
                                                    {"Taken [timed]: holds", {{"timeStops", ""}}}}));
+}
+
+// No door opens: nothing is asked of who has opened one, and where time stops no second ends without an answer.
+TEST(RuleBasis, TimeThatStopsAndRulesThatAskForNothingAreNamed) {
+    const auto found = checked(
+        {{"late.rct",
+          "stm Late {\n event ring\n event open\n initial i\n state A { }\n state B { entry (wait(3); open) <{ 1 } }\n"
+          " transition t0 { from i to A }\n transition t1 { from A to B trigger ring }\n}\n"},
+         {"late.sleec",
+          "def_start event ring event open def_end rule_start\nSoon when ring then open within 5 seconds\n"
+          "Never when open then not ring within 2 seconds\nrule_end\n"},
+         {"late.assertions",
+          "sleec assertion A : Late conforms to Soon\nsleec assertion N : Late conforms to Never\n"}});
+    EXPECT_EQ(found, (std::map<std::string, Kinds>{{"A [timed]: holds", {{"timeStops", ""}}},
+                                                   {"N [timed]: holds", {{"neverAsked", ""}, {"timeStops", ""}}}}));
 }
 
 TEST(RestBasis, WhatNeverComesToRestIsNamedInTheFailuresModel) {
