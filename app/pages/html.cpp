@@ -109,6 +109,7 @@ public:
 
     std::string write() {
         head();
+        errors();
         verdicts();
         for (std::size_t i = 0; i < report_.assertions.size(); ++i)
             if (report_.assertions[i].run) claim(i, report_.assertions[i]);
@@ -119,6 +120,7 @@ public:
 
 private:
     void head();
+    void errors();
     void verdicts();
     void verdict(std::size_t number, const AssertionReport& assertion);
     void claim(std::size_t number, const AssertionReport& assertion);
@@ -161,11 +163,21 @@ void ReportPage::head() {
                                                        return each.result.outcome == conformance::Outcome::conforms;
                                                    }),
                                      code.size()));
+    if (!report_.refused.empty()) counts.emplace_back("refused, with errors");
     if (!report_.limit.empty())
         counts.push_back(fmt::format("ended early: {}{}", xml_text(report_.limit),
                                      diagrams_.subjects().empty() ? "; the diagrams are left out" : ""));
     if (const std::string advice = report_.advice(); !advice.empty()) counts.push_back(xml_text(advice));
     out_ += fmt::format("</p>\n<p>robochart-verify {}: {}</p>\n", program_version, fmt::join(counts, "; "));
+}
+
+/// Of the models that are refused, as they are printed.
+void ReportPage::errors() {
+    if (report_.refused.empty()) return;
+    out_ += "<section id=\"errors\">\n<h2>Errors</h2>\n";
+    for (const RefusedReport& refused : report_.refused)
+        out_ += fmt::format("<h3>{}</h3>\n{}\n", xml_text(refused.model), preformatted(refused.text));
+    out_ += "</section>\n";
 }
 
 void ReportPage::verdicts() {

@@ -533,6 +533,17 @@ void keep_last_page(const std::vector<Part>& parts, const Options& options, cons
                                                   }));
 }
 
+/// The answer if no part is processed: the diagnostics of this part, and with --html a page with the errors.
+Exit refuse(const Project& stopped, const std::vector<Part>& parts, const Options& options, Report& report) {
+    if (refusal(stopped) != Exit::usage) {
+        begin(parts, options, report);
+        note_refused(parts, options, report);
+        keep_page(parts, options, report);
+    }
+    (void)show_diagnostics(stopped, options);
+    return refusal(stopped);
+}
+
 /// Runs a verb whose answer is a report over all parts. A part with errors is rejected, and the others are still
 /// processed.
 Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& report) {
@@ -555,10 +566,7 @@ Exit run_parts(const std::vector<Part>& parts, const Options& options, Report& r
         parts.front().project->diagnostics.report(rules::no_component, model_place(*parts.front().project),
                                                   {"the models"});
     options.run->finish();
-    if (const Project* const stopped = hopeless(parts, options)) {
-        (void)show_diagnostics(*stopped, options);
-        return refusal(*stopped);
-    }
+    if (const Project* const stopped = hopeless(parts, options)) return refuse(*stopped, parts, options, report);
     note_refused(parts, options, report);
     note_nothing(options, report);
     keep_page(parts, options, report);
@@ -628,10 +636,7 @@ Exit run_verb(const Options& given, Report& report, std::vector<Part>& parts) {
     if (!options.traces.empty() && is_asked_for(options, Format::junit))
         throw UsageError("--format junit is about generated code: of logs (--traces) there are text and json");
     if (!options.traces.empty()) return compare_traces(parts, options, report);
-    if (const Project* const stopped = hopeless(parts, options)) {
-        (void)show_diagnostics(*stopped, options);
-        return refusal(*stopped);
-    }
+    if (const Project* const stopped = hopeless(parts, options)) return refuse(*stopped, parts, options, report);
     return run_parts(parts, options, report);
 }
 

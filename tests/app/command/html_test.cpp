@@ -235,6 +235,29 @@ TEST(Html, LogsAreSteppedThrough) {
     EXPECT_THAT(page, HasSubstr("run one, cycle 1: turn!90; allowed: forward()"));
 }
 
+TEST(Html, ShowsTheErrorsOfARefusedModel) {
+    const std::string bad = "stm S {\n initial i\n state A { entry lost<1> = 1 }\n transition t { from i to B }\n}\n";
+    const Folder folder({{"bad.rct", bad}});
+    const Ran ran = run({"check", folder / "bad.rct", "--html", folder / "page.html", "--json", folder / "r.json"});
+    EXPECT_EQ(ran.exit, 2);
+    const std::string page = contents(folder / "page.html");
+    EXPECT_THAT(page, HasSubstr("refused, with errors"));
+    const std::vector<std::string> errors = between(page, "<section id=\"errors\"", "</section>");
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_THAT(errors.front(), HasSubstr("bad.rct:3:"));
+    EXPECT_THAT(errors.front(), HasSubstr("lost&lt;1&gt;"));
+    EXPECT_GT(nlohmann::json::parse(contents(folder / "r.json"))["errors"], 0);
+}
+
+// Wrong usage is no answer about the model.
+TEST(Html, IsNotWrittenForWrongUsage) {
+    const std::string good = "stm S {\n initial i\n state A {}\n transition t { from i to A }\n}\n";
+    const Folder folder({{"good.rct", good}});
+    const Ran ran = run({"check", folder / "good.rct", "--html", folder / "page.html", "--const", "lost=1"});
+    EXPECT_EQ(ran.exit, 4);
+    EXPECT_FALSE(std::ifstream(folder / "page.html").good());
+}
+
 TEST(Html, ThatCannotBeWrittenIsAnError) {
     const Ran ran = run({"check", repository("corpus/aggregation"), "--untimed", "--html", "/proc/page.html"});
     EXPECT_EQ(ran.exit, 2);
