@@ -8,8 +8,7 @@
 #include <stdexcept>
 
 #include "conformance/check/dispatch_equivalence.hpp"
-#include "conformance/check/missed_events.hpp"
-#include "conformance/check/overtaken_events.hpp"
+#include "conformance/check/lost_events.hpp"
 #include "conformance/check/standstill.hpp"
 #include "conformance/model/normal_form_system.hpp"
 #include "conformance/model/rules.hpp"
@@ -254,10 +253,7 @@ Result refined_by(ModelGraph& model, const Alphabet& alphabet, const rc_interfac
         result.reason = verdict.reason;
     }
     compare_event_api(result, compiled, code, alphabet, limits);
-    if (result.outcome == Outcome::conforms) {
-        result.missed = missed_events(code, alphabet, places);
-        result.overtaken = overtaken_events(code, alphabet, places);
-    }
+    add_lost_events(result, code, alphabet, places);
     count(result, model, code);
     return result;
 }

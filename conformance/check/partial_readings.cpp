@@ -12,8 +12,7 @@
 
 #include "conformance/check/dispatch_equivalence.hpp"
 #include "conformance/check/follower.hpp"
-#include "conformance/check/missed_events.hpp"
-#include "conformance/check/overtaken_events.hpp"
+#include "conformance/check/lost_events.hpp"
 #include "conformance/check/standstill.hpp"
 #include "conformance/code/code_system.hpp"
 
@@ -239,10 +238,7 @@ Result judge_partially(ModelGraph& model, const Alphabet& alphabet, const rc_int
         CodeSystem code(compiled, alphabet, cycle_length);
         result = PartialSearch(model, alphabet, code, cycle_length, limits).run();
         compare_event_api(result, compiled, code, alphabet, limits);
-        if (result.outcome == Outcome::conforms) {
-            result.missed = missed_events(code, alphabet, places);
-            result.overtaken = overtaken_events(code, alphabet, places);
-        }
+        add_lost_events(result, code, alphabet, places);
         result.code_states = code.images();
         result.code_cycles = code.cycles();
     } catch (const process::Interrupted& limit) {
