@@ -104,6 +104,41 @@ TEST(Validate, FixWritesOnlyWhatReadsBetter) {
     EXPECT_EQ(contents(folder / "c.assertions"), "prob property P1 : Prob=? of [ Finally S is in S::s ]\n");
 }
 
+// Blocks for an older generator: names of events, processes, calls and their returns, and of a type's values. What is
+// written is decided.
+TEST(Validate, FixWritesTodaysNamesOfRoboTool) {
+    const testing::Folder folder({{"m.rct",
+                                   "package Yard\ninterface Motor { turn(n : nat) }\n"
+                                   "stm Barrier {\n requires Motor\n event car\n event gone : nat\n"
+                                   " initial i\n state Shut { entry turn(1) }\n state Up { }\n"
+                                   " transition t0 { from i to Shut }\n"
+                                   " transition t1 { from Shut to Up trigger car }\n"
+                                   " transition t2 { from Up to Shut action gone ! 1 }\n}\n"},
+                                  {"c.assertions",
+                                   "csp Instantiations csp-begin\nnametype nat = {0..1}\ncsp-end\n"
+                                   "import Yard::*\n"
+                                   "untimed csp Cars csp-begin\n"
+                                   "Cars = Barrier_turnCall!1 -> Barrier_turnRet -> "
+                                   "Barrier_car.in -> Barrier_gone.out!1 -> Cars\ncsp-end\n"
+                                   "untimed csp Same csp-begin\nSame = Barrier_O(0)\ncsp-end\n"
+                                   "untimed assertion A1 : Barrier refines Cars\n"
+                                   "untimed assertion A2 : Barrier refines Same\n"}});
+    const auto before = run({"check", folder.path()});
+    EXPECT_EQ(before.exit, 2);
+    const auto fixed = run({"validate", "--fix", folder.path()});
+    EXPECT_EQ(fixed.exit, 0) << fixed.out << fixed.err;
+    const std::string text = contents(folder / "c.assertions");
+    EXPECT_NE(text.find("nametype core_nat = {0..1}"), std::string::npos) << text;
+    EXPECT_NE(text.find("Cars = Yard::Barrier::turnCall!1 -> Yard::Barrier::car.in -> Yard::Barrier::gone.out!1 -> "
+                        "Cars"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("Same = Yard::Barrier::O__(0)"), std::string::npos) << text;
+    const auto after = run({"check", folder.path()});
+    EXPECT_EQ(after.exit, 0) << after.out << after.err;
+    EXPECT_NE(after.out.find("2 of 2 checks hold"), std::string::npos) << after.out;
+}
+
 TEST(Validate, LooksIntoCspBlocks) {
     const testing::Folder folder({{"m.rct", good},
                                   {"c.assertions",

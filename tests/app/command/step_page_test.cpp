@@ -378,6 +378,26 @@ TEST_F(StepPageInABrowser, EndsWhereTheEmbeddedStatesEnd) {
                             "1", "201", "\"4799 steps before; show them all\"", "5000", "\"#1x4999.2\""));
 }
 
+// Forty states beside each other in one: several times as wide as the page. Its letters keep more than half of their
+// size, and the figure scrolls, not the page.
+TEST_F(StepPageInABrowser, AWideMachineStaysReadable) {
+    std::string wide =
+        "stm Wide {\n event go\n initial i\n state Whole {\n initial j\n transition t { from j to N0 }\n";
+    for (int n = 0; n < 40; ++n) {
+        const std::string number = std::to_string(n);
+        wide += " state N" + number + " { entry skip }\n transition t" + number + " { from N0 to N" + number +
+                " trigger go }\n";
+    }
+    wide += " }\n transition s { from i to Whole }\n";
+    const auto lines = played("cat > m.rct <<'EOT'\n" + wide + "}\nEOT\n\"$verify\" step m.rct --html page.html",
+                              "print (() => { const svg = document.querySelector('.drawn svg');"
+                              " const figure = svg.closest('figure'); const whole = svg.width.baseVal.value;"
+                              " return [whole > 2 * figure.clientWidth, svg.getBoundingClientRect().width > whole / 2,"
+                              " figure.scrollWidth > figure.clientWidth,"
+                              " document.documentElement.scrollWidth <= innerWidth]; })()\n");
+    EXPECT_THAT(lines, ElementsAre("[true,true,true,true]"));
+}
+
 // A path of 2,000 steps in the address.
 TEST_F(StepPageInABrowser, GoesALongWay) {
     const auto lines = played(lamp_page, "open #1x2.3x2000\n" + status + "key u\n" + status);
