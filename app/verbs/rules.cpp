@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "app/command/answer.hpp"
 #include "app/command/limits.hpp"
@@ -42,10 +43,11 @@ public:
         const diagnostics::Budget::Phase phase(options_.run->budget(), "reading " + options_.inputs.front());
         load_rules(options_.inputs.front(), loaded_);
         show_rule_findings(loaded_, options_);
-        if (!loaded_.rules || (options_.deny_warnings && loaded_.diagnostics.warnings() > 0)) return refused();
+        if (!loaded_.rules || (options_.deny_warnings && loaded_.diagnostics.warnings() > 0))
+            return refused(loaded_.diagnostics, loaded_.sources, Exit::bad_input);
         describe();
         if (options_.inputs.size() > 1) {
-            if (!conform()) return Exit::bad_input;
+            if (const auto exit = conform()) return *exit;
         } else if (options_.as_sleec_tk)
             compare();
         else
@@ -56,14 +58,15 @@ public:
     }
 
 private:
-    Exit refused() {
+    /// The findings have been printed; programs that read the answer get them too.
+    Exit refused(const diagnostics::Diagnostics& findings, const diagnostics::SourceManager& sources, Exit exit) {
         options_.run->finish();
-        for (const diagnostics::Diagnostic& each : loaded_.diagnostics.sorted())
-            if (each.rule->severity != diagnostics::Severity::note)
-                report_->errors.push_back(fmt::format("{}{}{}", loaded_.sources.place(each.span),
-                                                      each.span.known() ? ": " : "", each.message()));
+        for (const diagnostics::Diagnostic& finding : findings.sorted())
+            if (finding.rule->severity != diagnostics::Severity::note)
+                report_->errors.push_back(fmt::format("{}{}{}", sources.place(finding.span),
+                                                      finding.span.known() ? ": " : "", finding.message()));
         answer(options_, [&](Format) { return rules_json(*report_); });
-        return Exit::bad_input;
+        return exit;
     }
 
     void describe() {
@@ -220,8 +223,8 @@ private:
 
     // whether a model obeys
 
-    /// Returns false if the model is wrong; its findings are printed.
-    bool conform() {
+    /// The exit code if the model is refused, or has nothing of the name that --component gives.
+    std::optional<Exit> conform() {
         Options of_model = options_;
         of_model.inputs.erase(of_model.inputs.begin());
         of_model.verb = Verb::check;
@@ -230,12 +233,13 @@ private:
         const csp_emit::Emission* emission = nullptr;
         if (project->diagnostics.ok()) emission = &emit_csp(*project, of_model, csp_emit::Time::timed);
         app::show_findings(*project, options_);
-        if (emission == nullptr || !acceptable(*project, of_model)) return false;
+        if (emission == nullptr || !acceptable(*project, of_model))
+            return refused(project->diagnostics, project->sources, refusal(*project));
         for (const ir::ComponentRef& each : code_components(project->system, options_.component))
             for (const csp_emit::ComponentProcesses& component : emission->components)
                 if (component.path == each.path || component.path == each.package + "::" + each.path)
                     judge(*project, *emission, component);
-        return true;
+        return std::nullopt;
     }
 
     void judge(const Project& project, const csp_emit::Emission& emission,

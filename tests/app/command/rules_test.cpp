@@ -139,6 +139,31 @@ TEST(RulesOfModels, AreNotPassedInSilence) {
         "obeyed");
 }
 
+/// A program that asks for JSON gets it, even if the model is refused.
+TEST(RulesOfModels, ProgramsLearnOfRefusals) {
+    const Folder folder({{"wrong.rct",
+                          "stm Bell { event Ring initial i0 state Idle { }\n"
+                          "transition t0 { from i0 to Idle }\n"
+                          "transition t1 { from Idle to Idle trigger Rung } }\n"},
+                         {"bell.sleec",
+                          "def_start event Ring event OpenDoor def_end rule_start\n"
+                          "R when Ring then OpenDoor within 2 seconds rule_end\n"}});
+    const Ran wrong =
+        run({"rules", folder / "bell.sleec", folder / "wrong.rct", "--format", "json", "--json", folder / "copy.json"});
+    EXPECT_EQ(wrong.exit, 2);
+    const json answer = json::parse(wrong.out, nullptr, false);
+    ASSERT_FALSE(answer.is_discarded()) << wrong.out;
+    ASSERT_EQ(answer["errors"].size(), 1);
+    EXPECT_THAT(answer["errors"][0].get<std::string>(), HasSubstr("wrong.rct:3:"));
+    EXPECT_THAT(answer["errors"][0].get<std::string>(), HasSubstr("Rung"));
+    EXPECT_EQ(json::parse(tests::contents(folder / "copy.json"), nullptr, false), answer);
+
+    const Ran unknown =
+        obey("R when Ring then OpenDoor within 2 seconds", {"--component", "Bells", "--format", "json"});
+    EXPECT_EQ(unknown.exit, 4);
+    EXPECT_THAT(unknown.out, HasSubstr("--component Bells"));
+}
+
 /// OpenDoor comes two seconds after Ring, and the model never makes Alarm.
 TEST(RulesOfModels, WithoutLimit) {
     EXPECT_EQ(obey("R when Ring then OpenDoor").exit, 0);
