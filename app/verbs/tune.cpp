@@ -418,13 +418,18 @@ private:
         options_.run->finish();
         const bool some = race.trials() > 0;
         const Exit exit = some ? Exit::failed : Exit::bad_input;
-        print_json(race, "", exit);
+        std::vector<std::string> reasons;
+        if (!subject.refused().empty()) reasons.push_back("refused: " + subject.refused());
+        if (!subject.unusable().empty()) reasons.push_back("unusable: " + subject.unusable());
+        if (some)
+            reasons.emplace_back("no values were found with which the model's assertions hold");
+        else if (subject.unusable().empty())
+            reasons.emplace_back("the trials do not suffice for a search: --budget takes more");
+        else
+            reasons.emplace_back("no values were found with which the scenario can be run");
+        print_json(race, "", exit, reasons);
         if (options_.format == Format::json) return exit;
-        if (!subject.refused().empty()) print("refused: {}\n", subject.refused());
-        if (!subject.unusable().empty()) print("unusable: {}\n", subject.unusable());
-        print("{}\n", some                         ? "no values were found with which the model's assertions hold"
-                      : subject.unusable().empty() ? "the trials do not suffice for a search: --budget takes more"
-                                                   : "no values were found with which the scenario can be run");
+        for (const std::string& reason : reasons) print("{}\n", reason);
         return exit;
     }
 
@@ -477,7 +482,8 @@ private:
     }
 
     /// Schema "robochart-verify/tuning/1" (docs/cli.md).
-    void print_json(const simulation::Race& race, const std::string& certificate, Exit exit) const {
+    void print_json(const simulation::Race& race, const std::string& certificate, Exit exit,
+                    const std::vector<std::string>& reasons = {}) const {
         using diagnostics::Json;
         Json elites = Json::array();
         for (const std::size_t each : race.elites()) {
@@ -503,6 +509,7 @@ private:
                                            {"seeds", race.seeds()},
                                            {"iterations", iterations},
                                            {"elites", elites},
+                                           {"reasons", reasons},
                                            {"limit", limit_},
                                            {"file", certificate},
                                            {"certificate", decided},

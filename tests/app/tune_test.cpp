@@ -243,6 +243,16 @@ TEST(Tune, WrongUsage) {
     expect({"--verify-certificate", scenario, "--range", "nat=0..2"}, "no --range beside it");
 }
 
+/// Two trials are less than what one candidate needs.
+TEST(Tune, ProgramsLearnWhyNothingWasFound) {
+    const Folder folder(project(harmless));
+    const auto ran = run(tuning(folder, {"--budget", "2", "--format", "json"}));
+    EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
+    const auto json = nlohmann::json::parse(ran.out);
+    ASSERT_EQ(json.at("reasons").size(), 1U);
+    EXPECT_THAT(json.at("reasons").at(0).get<std::string>(), HasSubstr("--budget takes more"));
+}
+
 TEST(Tune, ScenariosThatCannotBeTuned) {
     std::string varied = world;
     varied.insert(varied.rfind('}'), "\tvary robots in 1 to 3\n");
