@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <filesystem>
 
@@ -198,6 +199,48 @@ Parsed parse_failed(const CLI::App& app, const CLI::Error& error) {
     return wrong_usage(error.what(), verb);
 }
 
+/// The files that the options name for something to be written, each with its option.
+std::vector<std::pair<std::string, std::string>> written_files(const Options& options) {
+    std::vector<std::pair<std::string, std::string>> files;
+    const auto add = [&](const std::string& option, const std::string& path) {
+        if (!path.empty()) files.emplace_back(option, path);
+    };
+    for (const auto& [format, path] : options.files)
+        add(format == Format::json ? "--json" : format == Format::sarif ? "--sarif" : "--junit", path);
+    add("--html", options.html);
+    add("--plot", options.plot);
+    add("--export", options.exported_code);
+    if (options.verb == Verb::draw) add("--out", options.out);
+    return files;
+}
+
+/// A text that people write: a file beside a named one may be read with it.
+bool is_written_by_hand(const std::filesystem::path& path) {
+    constexpr std::array endings{".rct",      ".assertions", ".prism", ".props", ".sleec",
+                                 ".scenario", ".swarm",      ".ros2",  ".trace", ".prefs"};
+    return std::ranges::find(endings, path.extension().string()) != endings.end();
+}
+
+/// An answer must not take the place of what it is about. Returns what is wrong, "" if nothing is.
+std::string overwritten_input(const Options& options) {
+    std::vector<std::string> read = options.inputs;
+    read.insert(read.end(), options.traces.begin(), options.traces.end());
+    for (const std::string* file :
+         {&options.swarm, &options.mapping, &options.preferences, &options.certificate, &options.compare})
+        if (!file->empty()) read.push_back(*file);
+    std::error_code ignored;
+    for (const auto& [option, path] : written_files(options)) {
+        if (!std::filesystem::is_regular_file(path, ignored)) continue;
+        const bool named = std::ranges::any_of(read, [&, &written = path](const std::string& file) {
+            return std::filesystem::equivalent(file, written, ignored);
+        });
+        if (named || is_written_by_hand(path))
+            return fmt::format("{} would overwrite {}, which is no answer of an earlier run", option,
+                               diagnostics::shown(path));
+    }
+    return "";
+}
+
 bool parse_number(std::string_view text, std::int64_t& value) {
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     return code == std::errc() && end == text.data() + text.size();
@@ -229,6 +272,7 @@ Parsed parse_command_line(int argc, const char* const* argv) {
     }
     if (options.verb == Verb::help) return help_asked(options);
     if (options.verb == Verb::version) return said(version_text());
+    if (const std::string wrong = overwritten_input(options); !wrong.empty()) return wrong_usage(wrong);
     options.cache = options.cache && has_cache(options.verb);
     return Parsed{options, Exit::success, ""};
 }

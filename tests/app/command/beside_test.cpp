@@ -132,5 +132,22 @@ TEST(Beside, TitlesOfRulesHaveNoHoles) {
     }
 }
 
+/// A slip on the command line must not cost a model. Answers of earlier runs are replaced.
+TEST(Beside, NothingThatIsReadIsOverwritten) {
+    for (const char* arguments : {"check gate --json gate/gate.rct", "check gate/gate.rct --html gate/gate.assertions",
+                                  "validate gate --sarif ./gate/../gate/gate.rct", "check gate --junit gate/gate.rct",
+                                  "conform gate --export gate/gate.rct", "draw gate Gate --out gate/gate.rct"}) {
+        const Ran ran = gate(std::string(arguments) + "; echo \"exit $?\"; cat gate/gate.rct gate/gate.assertions");
+        EXPECT_THAT(ran.out, HasSubstr("exit 4\nstm Gate {")) << arguments;
+        EXPECT_THAT(ran.out, HasSubstr("assertion Opens")) << arguments;
+        EXPECT_THAT(ran.err, HasSubstr("would overwrite")) << arguments;
+    }
+    const Ran script = run_shell("echo 'P = STOP' > p.csp; \"$verify\" cspm p.csp --json p.csp; cat p.csp");
+    EXPECT_EQ(script.out, "P = STOP\n") << script.err;
+    const Ran twice =
+        gate("check gate --json r.json > /dev/null; \"$verify\" check gate --json r.json > /dev/null; echo $?");
+    EXPECT_EQ(twice.out, "1\n") << twice.err;
+}
+
 }  // namespace
 }  // namespace robochart::app::testing
