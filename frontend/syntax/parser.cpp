@@ -52,6 +52,9 @@ Parser::Parser(const diagnostics::SourceManager& sources, diagnostics::SourceId 
         for (const diagnostics::Diagnostic& finding : out.sorted())
             if (finding.span.source == source && finding.rule == &syntax::strange_character)
                 strange_.push_back(finding.span.begin);
+    const std::string_view text = sources.text(source);
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (text[i] == '\n' || text[i] == '\r') line_begins_.push_back(i + 1);
     for (const Token& token : tokens_) {
         if (token.kind != TokenKind::symbol) continue;
         if (token.text == "{" || token.text == "<{") ++surplus_;
@@ -148,6 +151,7 @@ QualifiedName Parser::qualified_name(std::string_view what) {
     QualifiedName result = simple_name(what);
     while (at("::") && !peek(1).is("*")) {
         advance();
+        if (result.parts.size() >= max_depth) too_deep(max_depth);
         add_part(result, "a name after `::`");
     }
     return result;
@@ -331,9 +335,9 @@ bool Parser::neural_construct() {
 }
 
 std::size_t Parser::indentation(std::size_t token) const {
-    const std::string_view before = sources_.text(source_).substr(0, tokens_.at(token).span.begin);
-    const std::size_t newline = before.find_last_of("\r\n");
-    const std::string_view line = before.substr(newline == std::string_view::npos ? 0 : newline + 1);
+    const std::size_t end = tokens_.at(token).span.begin;
+    const std::size_t begin = *std::prev(std::ranges::upper_bound(line_begins_, end));
+    const std::string_view line = sources_.text(source_).substr(begin, end - begin);
     return std::min(line.size(), line.find_first_not_of(" \t"));
 }
 

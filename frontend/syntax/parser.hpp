@@ -342,6 +342,7 @@ private:
     diagnostics::Diagnostics& out_;
     TokenList tokens_;
     std::vector<Span> comments_;
+    std::vector<std::size_t> line_begins_{0};  ///< a search back from each brace would take too long on a long line
     std::size_t at_ = 0;
     std::size_t depth_ = 0;
     std::size_t mistakes_ = 0;

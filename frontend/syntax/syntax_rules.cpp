@@ -14,8 +14,8 @@ const Rule unexpected{
     "other mistakes are found in the same run."};
 const Rule too_deep{
     "RC-P02", error, "nested deeper than {} levels",
-    "Expressions, statements, types and composite states may be nested 256 levels deep, and chains of operators may "
-    "have 1000 links. No model written by people comes near this; the limit protects the tool's stack."};
+    "Expressions, statements, types, packages and composite states may be nested 256 levels deep, and chains of "
+    "operators may have 1000 links. No model written by people comes near this; the limit protects the tool's stack."};
 const Rule open_comment{"RC-P03", error, "this comment is never closed",
                         "A comment that begins with `/*` ends with the next `*/`; comments do not nest."};
 const Rule open_string{"RC-P04", error, "this string is never closed",

@@ -97,6 +97,7 @@ constexpr std::array declarations = {
     Shape{"", "{", "", "}", ""},
     Shape{"", "package p ", "", "", ""},
     Shape{"import ", "a::", "*", "", ""},
+    Shape{"package ", "a::", "a", "", " stm M { initial i }"},
 };
 
 TEST(Depth, Expressions) {
@@ -114,6 +115,7 @@ TEST(Depth, Declarations) {
 TEST(Depth, Assertions) {
     constexpr std::array shapes = {
         Shape{"assertion A : ", "a::", "b", "", " is deadlock-free"},
+        Shape{"package ", "a::", "b", "", " assertion A : M is deadlock-free"},
         Shape{"", "assertion A : M is deadlock-free ", "", "", ""},
         Shape{"assertion A : M is deterministic with constant c of M set to ", "(", "1", ")", ""},
         Shape{"assertion A : M is deterministic with constant c of M set to 1", " and constant c of M set to 1", "", "",

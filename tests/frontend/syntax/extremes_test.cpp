@@ -109,6 +109,11 @@ TEST(Extremes, NestedStatesAreOneMistake) {
     EXPECT_EQ(judged("stm S {\n" + times(deep, "state s { entry skip "))->codes(), "RC-P02@2");
 }
 
+TEST(Extremes, NestedPackagesAreOneMistake) {
+    EXPECT_EQ(judged("package\n" + times(deep, "a::") + "a stm S { initial i }")->codes(), "RC-P02@2");
+    EXPECT_EQ(judged("package\n" + times(deep, "a::") + "a assertion A: X terminates", true)->codes(), "RC-P02@2");
+}
+
 /// No construct outside machines can be nested, so every brace is another mistake here, up to the limit.
 TEST(Extremes, NestedBracesAreAFewMistakes) {
     for (const char* around : {"", "interface I { ", "module M { ", "controller C { ", "robotic platform R { ",
@@ -142,6 +147,13 @@ TEST(Extremes, ALineOfTenMegabytesIsReadToTheEnd) {
         EXPECT_FALSE(reading->findings.ok()) << text.substr(0, 20);
         EXPECT_LT(diagnostics::render_json(reading->sources, reading->findings).size(), 1'000'000U);
     }
+}
+
+/// The braces of a body are looked for by the indentation of their lines.
+TEST(Extremes, AHundredThousandBodiesOnOneLine) {
+    std::string bodies;
+    for (std::size_t i = 0; i < deep; ++i) bodies += "interface I" + std::to_string(i) + " { } ";
+    EXPECT_EQ(judged(bodies)->codes(), "");
 }
 
 TEST(Extremes, ALongLineOfAssertionsIsReadToTheEnd) {
