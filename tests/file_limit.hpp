@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Simulates a full disk: the program's files cannot grow.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs and libraries that a test needs and that scripts/setup.sh installs. If one is missing, the test says so and
 // is skipped. In continuous integration (CI is set) it fails, because a skipped test would go unnoticed.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Instances inside parameterised modules, which FDR's front end accepts and cannot evaluate: names of such an instance
 // have no place in the instances of the module, so their first use ends with "lookup not found".
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A low limit on open files for tests.
 #pragma once
 

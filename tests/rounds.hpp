@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The number of rounds of random tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Read-only material next to the repository, which tests use if it is present.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A small disk, for tests that a limit on the size of single files cannot replace.
 #pragma once
 

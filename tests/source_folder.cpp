@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The only file that is compiled with the path, so that builds in other folders can share all other objects in the
 // compiler cache.
 #include "tests/source_folder.hpp"

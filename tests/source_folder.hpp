@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The folder of the sources that tests read: models, fixtures, pages.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See step_files.hpp.
 #include "app/step/step_files.hpp"
 

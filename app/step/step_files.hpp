@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Saves the steps of `step` in files: as logs for `conform --traces` (docs/traces.md), and as assertions that the steps
 // stay possible.
 #pragma once

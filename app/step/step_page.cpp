@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See step_page.hpp. app/pages/parts/explorer.js reads the data. Foreign text is escaped for HTML when it is inserted
 // into the page, and made visible in the data.
 #include "app/step/step_page.hpp"

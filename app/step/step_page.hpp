@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `step --html`: a process as one page that contains its reachable states, for stepping in a browser.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See stepped_component.hpp.
 #include "app/step/stepped_component.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See trace_page.hpp.
 #include "app/step/trace_page.hpp"
 

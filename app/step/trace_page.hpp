@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `conform --traces --html`: a page with logs; the first run of each is replayed on the diagrams of its machines.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Small adversarial models with one or two constructs each: those of tests/app/agreeing and, if it is present, the
 // collection next to the repository. Their verdicts were derived by hand from the rules of the semantics. The test
 // compares the verdicts with the tables and checks that the generated code conforms. For a model that cannot run in

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A verdict about a smaller model always says so: it names arithmetic that left its type, calls of functions without a
 // body, and sequences that are too short, if they occur in a reachable state. Otherwise it adds no such note.
 #include <gmock/gmock.h>

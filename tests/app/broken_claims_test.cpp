@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An assertion file with errors does not stop the claims of other files. Claims that may depend on the erroneous file
 // are undecided.
 #include <gmock/gmock.h>

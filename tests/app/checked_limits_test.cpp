@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A limit may turn an answer of `check` into "inconclusive", but never into another answer. The test checks every model
 // with claims in the repository, and the assertions generated for them, with few states, little memory, and one or
 // several threads.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The command as users and CI servers run it: exit codes, hostile input, the case studies.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `conform --export`: the complete state space of the code for other tools, and a script that contains the model. Our
 // own checker of scripts must decide the script as `conform` does.
 #include <gmock/gmock.h>

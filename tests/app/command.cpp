@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/app/command.hpp"
 #include "tests/contents.hpp"
 #include "tests/source_folder.hpp"

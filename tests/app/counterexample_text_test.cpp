@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counterexamples in terms of the model, for each form of claim: the path, the missed deadline, the loop.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How `conform` explains that a model cannot run in control cycles, and its further notes, as text and as JSON.
 #include <fmt/format.h>
 #include <gmock/gmock.h>

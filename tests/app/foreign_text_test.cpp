@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text from models, their CSP blocks, scripts and file names never reaches a terminal as control characters and cannot
 // forge lines of a report. Output for programs stays unchanged if it does not go to a terminal.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `format` as people and CI servers run it: files that are written, files that stay unchanged, exit codes, and
 // diffs.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A run that reaches a limit or is interrupted still answers in the requested format: one complete document that says
 // that the answer is unknown and why, with exit code 3. The test covers every verb and every machine-readable format.
 #include <gmock/gmock.h>

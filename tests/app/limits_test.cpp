@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Limits and signals in every phase: a run that would take hours or all memory ends soon, with exit code 3 and a report
 // of the partial results, and removes its temporary files. The time bounds are generous, because these tests detect
 // runs that hang.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Monitors of controllers that a generator with a seeded fault produced: the trial stops at the first event that the
 // model does not allow, and the report names its element.
 #include "app/verbs/monitor.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Several models in one folder, assertions of other tools, and evaluation errors, as a user runs `check`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `emit cpp --target` as a user runs it: the folders of the projects, files that are kept, inputs that are
 // rejected. tests/cpp_emit/project_test.cpp tests the contents of the projects.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `cspm` as users of FDR's `refines` see it: its JSON, its plain text, limits, progress, exports.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // This code parses descriptions of states independently of the code under test. Both share only the names that the
 // emission records.
 #include "tests/app/replay.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Replays every counterexample of a report from its JSON alone, step by step in the operational semantics of the
 // script, and compares times, values, active states, variables and offers.
 #pragma once

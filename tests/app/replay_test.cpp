@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Replays counterexamples of all models of the tests from their JSON.
 #include "tests/app/replay.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Empty selections, empty inputs, unknown names and numbers out of range: each has a message and its own exit code. A
 // script can thus distinguish "nothing was checked" from "all checks hold".
 #include <gmock/gmock.h>

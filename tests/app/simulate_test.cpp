@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `simulate` as a user runs it: outcomes, formats, files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

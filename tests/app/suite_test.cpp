@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RoboTool's regression suite through the command. Each folder of models that RoboTool accepts must have as many
 // obligations as EXPECTED.tsv lists, and each obligation must have the answer that the suite states. A table lists the
 // exceptions with the reason; one more or one less fails the test. The test is skipped if the suite is absent.

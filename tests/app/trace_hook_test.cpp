@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Logs that generated controllers write themselves (`emit cpp --target main`, then `--log FILE`): the model accepts the
 // recorded runs and rejects altered ones.
 #include <gmock/gmock.h>

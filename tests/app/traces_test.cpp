@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `simulate --log` and `conform --traces` as a user runs them: runs of generated controllers are runs of their model,
 // and runs of altered controllers are not.
 #include <gmock/gmock.h>

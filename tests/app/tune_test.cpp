@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `tune` as a user runs it, in a world whose best constants are known, and altered certificates.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `validate` as a user runs it: outcomes, formats, fixes.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks pages with the rules of axe-core: `node accessibility.mjs AXE PAGE...`. AXE is the file axe.min.js of this npm
 // package. Each page is checked in light and in dark colours. The script prints one line for each violation of level
 // serious or critical, and for each message of the browser. Exit code 1 if there are any.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A page in headless Chromium, controlled over its debugging pipe (Chrome DevTools Protocol). If the browser does not
 // start, ends or does not answer, this says nothing about the page: the script is repeated from the start in a new
 // browser.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses files with Mermaid's own parser: `node mermaid.mjs MERMAID FILE...`. MERMAID is the file mermaid.min.js of
 // this npm package. The script prints one line for each rejected file, and then exits with 1.
 import { readFileSync } from "node:fs";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page of the VS Code preview in Chromium, with pictures from the real server: `node preview.mjs PROGRAM MODEL`.
 // The API of VS Code (acquireVsCodeApi and messages) is simulated. The script checks that zoom and scroll position
 // survive an edit; that the last picture stays while the text is broken, with a message; that a click on an element

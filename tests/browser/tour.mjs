@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Steps through every counterexample of a page by keyboard: `node tour.mjs PAGE JSON`. JSON is the output of `--format
 // json` for the same run. Each step must highlight exactly the states that are active in its data, and the browser must
 // report no problem. The script prints the size of the page, its loading time (and the CPU time of its main thread,

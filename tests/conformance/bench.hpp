@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prepares a model given as text for checks of controllers: parses and lowers it, instantiates it, loads its timed
 // script, and checks its schedulability.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Common parts of the conformance tests: models written as graphs, and controllers written by hand.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The paper's first case study: machine, controller and module. The expected outputs are derived from the model text
 // (corpus/aggregation): reals are hundredths, one cycle is one time unit.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The behaviour of a control cycle, construct by construct. Every expectation is derived from the rule that it names
 // (semantics 3.3-3.10, codegen 5.2: R1-R8). The models are as small as the rule allows and report through output
 // events.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Code that asks its platform at the choices of the model (`emit cpp --choices`). A platform without `pick` gets the
 // first alternative; a platform that replays recorded answers gets those. Without the option the code contains no
 // questions.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The classes of the paper's mapping, used as a robot's author would use them: derive, override, raise events, step.
 // The exit code of each program identifies the first expectation that fails.
 #include <gtest/gtest.h>

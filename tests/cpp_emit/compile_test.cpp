@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All code generated for the corpus compiles without warnings on both compilers, the controller also without exceptions
 // and RTTI. A scripted run of it is clean under AddressSanitizer and UBSan.
 #include <fmt/format.h>

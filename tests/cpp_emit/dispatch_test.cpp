@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The event API compared with the cycle API in every reachable state of a controller. Dispatching an event and then
 // running a cycle without inputs must equal one cycle with the event. begin() and then a cycle without inputs must
 // equal a cycle without events. The test runs both strategies over all states and inputs of the compiled code.

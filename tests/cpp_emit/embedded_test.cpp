@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The embedded profile: generated code compiled for a Cortex-M4 (Debian: gcc-arm-none-eabi and
 // libstdc++-arm-none-eabi-newlib) without exceptions and RTTI. Its objects need nothing that a microcontroller may
 // lack: no heap, no streams, no exceptions, no constructors before main, no static data.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every seeded fault changes the behaviour of the controller at its own place, and does not affect code generated
 // without a fault.
 #include <gtest/gtest.h>

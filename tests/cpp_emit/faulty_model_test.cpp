@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeded faults that can be expressed in the IR: the changed machine, and that all other parts stay the same. The
 // expected texts follow from the descriptions in all_faults() and from the form of `--print ir`.
 #include <gtest/gtest.h>

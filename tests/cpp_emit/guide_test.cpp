@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // docs/cpp.md: the test extracts its programs, compiles them with the generated code as C++17 and C++20, and compares
 // their output with the page. The layout table is compared with states of every kind.
 #include <gtest/gtest.h>

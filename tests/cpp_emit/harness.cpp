@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/cpp_emit/harness.hpp"
 
 #include <dlfcn.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Generates a component, compiles it as conformance does, loads it and drives it cycle by cycle.
 #pragma once
 

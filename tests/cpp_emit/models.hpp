@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models for the tests: the corpus, and machines written in the tests themselves.
 #pragma once
 

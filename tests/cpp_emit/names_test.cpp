@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names of model elements in generated code: in no position is a name a keyword, a macro of an available header, or a
 // name that generated code uses itself. Code generated with such names compiles.
 #include "cpp_emit/plan/names.hpp"

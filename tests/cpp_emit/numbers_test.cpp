@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The arithmetic of runtime/finite.hpp agrees with the evaluator of the semantics for all pairs of small carriers;
 // division in deployed code rounds like the model's.
 #include <gtest/gtest.h>

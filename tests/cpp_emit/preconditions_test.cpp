@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Preconditions of functions in generated code: which checks are generated, in which order, and which are unnecessary.
 // tests/conformance/check/preconditions_test.cpp shows that the code agrees with the model.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Projects of `emit cpp --target`: each is generated, configured, built without a warning and run without changes.
 // Debian has no ROS 2, so its package is built with tests/cpp_emit/ros2_stub; ARGoS is used if it is installed.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models that cannot be generated are rejected with a named rule: one model for each rule of cpp_emit/plan/rules.hpp
 // that violates only this rule.
 #include "cpp_emit/plan/rules.hpp"

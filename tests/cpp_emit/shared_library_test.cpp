@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs that the toolkit runs: their exit status, their output, and how they end.
 #include "cpp_emit/load/shared_library.hpp"
 

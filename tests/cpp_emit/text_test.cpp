@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names and layout of generated text.
 #include <gtest/gtest.h>
 

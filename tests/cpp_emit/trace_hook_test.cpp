@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The trace hook costs nothing for a platform that does not use it, and reports the taken transitions to a platform
 // that does.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Name clashes: names that csp blocks define and names of model elements, compared with every name that CSPM predefines
 // and every name of the library. The generated part must keep its meaning, and definitions that a block makes for the
 // model must take effect.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every form of assertion in its semantic models (docs/semantics.md, "Assertions"). The answers follow from the
 // semantics of the small machines, by hand.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The behaviour of generated processes, compared with CSPM that was written by hand from the reference (semantics 3.3
 // to 3.8). Equality is refinement in both directions in the failures-divergences model.
 #include <gtest/gtest.h>

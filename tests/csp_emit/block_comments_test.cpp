@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Comments are kept in declarations that are printed again, and do not change them.
 #include "csp_emit/base/block_comments.hpp"
 

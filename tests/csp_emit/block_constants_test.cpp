@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A constant has one name for its machine, and one name for each place in which a controller runs the machine. In
 // RoboTool's scripts a claim about a controller or a module starts with `let const_C_ref_c = const_S_c within`.
 #include <gmock/gmock.h>

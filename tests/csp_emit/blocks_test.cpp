@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks of CSP blocks without deciding assertions: findings have places in the block and use the names of the script.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Calls of defined operations (semantics 3.8): all calls share one definition, which continues after its call.
 // Specifications were written by hand from the reference; equality is refinement in both directions in the
 // failures-divergences model.

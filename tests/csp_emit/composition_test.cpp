@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Controllers and modules compared with hand-written CSPM (semantics 3.7 to 3.10).
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The table of language constructs: every construct that the front end accepts has CSP, untimed and timed, that parses
 // to the same tree and type checks, or it is rejected by a named rule. Constructs that the front end rejects are listed
 // with the rule. Each row is one construct of RoboChart's grammar, alone in the same model, so a failure identifies its

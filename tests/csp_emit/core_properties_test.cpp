@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Core properties: the properties that are checked for every component, and the answers for small machines with the
 // reason next to each.
 #include "csp_emit/core_properties.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of expressions, in the script and in the evaluator of the semantics. The expected values follow from the
 // contracts of the libraries (frontend/toolkits/library) and from the rules for finite types (semantics 3.13).
 #include <gmock/gmock.h>

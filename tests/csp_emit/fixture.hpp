@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Generates scripts from RoboChart text, and decides assertions that compare them with hand-written CSPM.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Definitions of RoboTool's library that csp blocks may use although generated scripts do not need them, and the
 // functions of records.
 #include <gmock/gmock.h>

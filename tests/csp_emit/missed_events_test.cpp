@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `event E is missed in S for N time units` (docs/assertions.md, "Missed events"): the answers follow from the waits of
 // the small machines, by hand.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CSP blocks may use the carriers of records: `P_R` is the set of values of the record R of package P.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names in CSP blocks from earlier versions of RoboTool's generators. Each name is reported with its current form, and
 // the fix preserves the meaning of the script.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Structure of generated scripts: they parse to the same tree and use RoboTool's names, and the generator names the
 // element that it rejects.
 #include <gmock/gmock.h>

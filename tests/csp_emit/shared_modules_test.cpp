@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Modules with equal text become instances of one parameterised module and keep their names, if names in the text keep
 // their meaning.
 #include "csp_emit/passes/shared_modules.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Variables in separate memory processes (semantics 3.6) behave like the parameters that they replace.
 #include "csp_emit/passes/variable_memory.hpp"
 

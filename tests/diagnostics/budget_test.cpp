@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The budget of a run: each limit is detected and reported with the current phase, and resources are released.
 #include "diagnostics/budget.hpp"
 

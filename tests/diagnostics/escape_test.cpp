@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Escaping is inverted by each language's parser; the expected texts were written by hand from the languages'
 // standards.
 #include "diagnostics/escape.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files are written completely or not at all, at the requested place and nowhere else.
 #include "diagnostics/files.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Selection and application of fixes.
 #include "diagnostics/fixes.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs of blanks become one blank, and leading and trailing blanks are removed.
 #include "diagnostics/text.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Output of diagnostics: exact text, exact JSON.
 #include "diagnostics/render.hpp"
 

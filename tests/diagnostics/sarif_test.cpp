@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SARIF: the structure that the 2.1.0 schema requires, checked by hand.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The known word that a misspelt word means, or none if no known word is similar enough.
 #include "diagnostics/spelling.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See models.hpp.
 #include "tests/diagrams/models.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models for diagrams. Each file is loaded alone, so many of its names are unresolved, which diagrams must handle.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See scene.hpp.
 #include "tests/diagrams/scene.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The geometry of any diagram, and the criteria that every layout must satisfy.
 #pragma once
 

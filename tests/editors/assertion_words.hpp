@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The words of assertions, which are reserved only in some positions.
 #pragma once
 

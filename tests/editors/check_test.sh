@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The extension parses the program's own report: a failed check at the line of its assertion, and steps at their lines.
 # Argument: the program. Exit code 77 (skipped) without node.
 set -euo pipefail

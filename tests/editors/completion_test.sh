@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The completion for bash, sourced as users do, offers verbs, their options, the choices of options, and files.
 # Argument: the program.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The configuration for Emacs in docs/lsp.md, in Emacs without a terminal: it opens a model with a finding, and the
 # finding is displayed. Argument: the program. Exit code 77 (skipped) without Emacs with eglot.
 set -euo pipefail

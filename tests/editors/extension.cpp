@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See extension.hpp.
 #include "extension.hpp"
 #include "tests/source_folder.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The files of editors/vscode as data for tests.
 #pragma once
 

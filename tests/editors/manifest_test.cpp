@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The extension's manifest names only existing files, and its lock file names no server.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

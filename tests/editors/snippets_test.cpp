@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every choice in a snippet inserts valid text.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # scripts/vsix.py makes an archive that VS Code can install: manifest, content types, the files that package.json names,
 # and an executable program. The packages of the client and the program are stand-ins. Exit code 77 (skipped) without
 # python3.

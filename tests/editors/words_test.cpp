@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The grammars of the extension contain exactly the words of the languages.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One mistake, one message: every word of real models is omitted, preceded by an unrelated word, or replaced by one.
 // The test counts the errors, including those of resolution.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The public models next to the repository: valid models load without an error, and invalid ones are rejected for the
 // right reason. The test is skipped if the material is absent.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shape of a syntax tree as nested brackets, `(kind part …)`. It is independent of the printer, so tests show
 // precedence and every field.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nesting and chains of any length are parsed or rejected with a finding, and never overflow the stack. Sanitizers make
 // frames larger, so the test is most useful with them.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fuzzers' dictionaries contain every word and symbol of the languages, each as a single token.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

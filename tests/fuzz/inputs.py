@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """What the command is run on: for each verb its arguments, with a mutated input in a folder."""
 import dataclasses
 import re

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // libFuzzer's entry point for one target; a violated property ends the program like a crash.
 #include <cstdint>
 #include <cstdio>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """How texts are changed: bytes, lines, words, names and literals that mean something elsewhere, deep nesting."""
 import re
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The inputs that are mutated: files of the given folders and of the pages of rules, each with those beside it that it needs."""
 import dataclasses
 import json

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The components after the front end, on well-formed and almost well-formed models: random models, the corpus, and
 // models of the tests. ROBOCHART_SEEDS=N tries more, ROBOCHART_FIRST_SEED=N others.
 #include <gtest/gtest.h>

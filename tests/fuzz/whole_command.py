@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Mutates real inputs and runs the whole command on them: every verb, under small limits, with hostile names, signals and
 outputs that cannot be written.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A message from the server, with the accessors that the server uses for received messages (lsp/protocol/json.hpp).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A simulated editor in the same process as the server.
 #pragma once
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # `cmake --install` writes the required files and no others. The installed program runs in an empty environment from
 # another folder, and needs no newer C library than packages may. Arguments: the sources, the build tree.
 set -euo pipefail

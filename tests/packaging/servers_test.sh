@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The CMake function adds tests that pass or fail with the verdicts. The script of the GitHub action passes words
 # unchanged and keeps the exit code. The hooks of pre-commit run. Arguments: the sources, the build tree.
 set -euo pipefail

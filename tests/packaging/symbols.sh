@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Checks that a program uses no function of the C library that is newer than glibc 2.35 (Debian 12 has 2.36, Ubuntu
 # 22.04 has 2.35). With --alone the program may need no other library. Arguments: [--alone] PROGRAM.
 set -euo pipefail

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RoboChart models, encoded for tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "prism_emit/preferences.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Guards that keep updates within their ranges in unreachable states. Commands that cannot leave a range stay
 // unchanged.
 #include "prism_emit/ranges.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Constructs without an encoding are rejected with a named rule: one model for each rule of prism_emit/rules.hpp that
 // violates only this rule.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The encoding compared with RoboTool's own files of two case studies, if they are present (../shared).
 #include <gtest/gtest.h>
 

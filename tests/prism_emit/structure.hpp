@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares two PRISM models up to names and order. Colour refinement repeatedly colours names by their occurrences.
 // Then the declarations and commands are compared as multisets of texts with colours in place of names.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The decision process compared with its sources. It is branching bisimilar to the process that is checked for
 // refinement (otherwise ProcessEncoding throws std::logic_error). The values of a restricted class of schedulers are
 // within the bounds for all schedulers.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The possible successors of a machine's states after some time, computed by hand.
 #include "probability/process/following.hpp"
 

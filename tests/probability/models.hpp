@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models with probabilistic assertions for tests.
 #pragma once
 

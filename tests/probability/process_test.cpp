@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Probabilistic assertions decided on the timed CSP semantics. The models are small enough to compute their values by
 // hand; comments show how.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Probabilistic assertions decided in RoboTool's encoding. The expected values come from the chains, which are small
 // enough to compute by hand; those of the case studies come from recorded results.
 #include <gtest/gtest.h>

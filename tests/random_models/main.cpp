@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // random_models_tool: writes a random project into a folder, for benchmarks, demonstrations and use by hand.
 #include <charconv>
 #include <cstdint>

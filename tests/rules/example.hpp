@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs an example of a rule's page: its blocks become files, and its command (if there is one) runs in this process.
 #pragma once
 

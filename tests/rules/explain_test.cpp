@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pages of rules formatted for a terminal.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every rule has a page (docs/rules/CODE.md), and every page is correct: its wrong example gives exactly the findings
 // in its comments (`// expect: CODE`), and its right example gives none.
 #include <gmock/gmock.h>

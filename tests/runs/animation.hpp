@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A component that is being animated, with the objects that this needs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Explorations agree with the stepper: states and offers by hand, limits, and random walks.
 #include "runs/exploration.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random walks: the stepper offers exactly the steps of the compiled process that verdicts are about.
 #include "runs/stepper.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs as text: contents and omissions.
 #include "runs/text.hpp"
 

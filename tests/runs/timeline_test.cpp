@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs decomposed by processes: which component moves, with which name, and the states of all components.
 #include "runs/timeline.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of the script in the notation of the model.
 #include "runs/values.hpp"
 

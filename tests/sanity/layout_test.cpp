@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The source tree has the structure of docs/architecture.md: folders, permitted includes, no cycles.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

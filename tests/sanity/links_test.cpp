@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Links in the project's documents lead to existing files and, after `#`, to existing headings.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules of the project that a program can check: file heads, rules with fixtures, no leftovers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

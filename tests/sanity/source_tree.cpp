@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See source_tree.hpp.
 #include "tests/sanity/source_tree.hpp"
 

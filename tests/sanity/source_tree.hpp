@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The sources of the project: their folders and their includes.
 #pragma once
 

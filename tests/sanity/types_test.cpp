@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One name, one type: every type of a namespace must be defined once in a program. No compiler reports a violation
 // across files (C++20, [basic.def.odr]), and the linker chooses one of the two.
 #include <gmock/gmock.h>

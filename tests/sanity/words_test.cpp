@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The project does not use the words that docs/glossary.md lists as not used: not in documentation, comments, messages
 // or identifiers.
 #include <gmock/gmock.h>

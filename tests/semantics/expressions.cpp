@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expressions built by hand.
 #include "tests/semantics/expressions.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Functions that build expressions for the tests of this component.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RoboTool's regression models: all models in accept/ can be lowered.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The founding paper's two case studies with generated controllers: ten trials of twenty robots stay within the bands,
 // and faulty controllers do not. The bands come from hand-written controllers in Enki and ARGoS.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The interface for simulators passes values of every generated type to the controller and back.
 #include <gtest/gtest.h>
 

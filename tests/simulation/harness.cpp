@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "harness.hpp"
 #include "frontend/syntax/parse.hpp"
 

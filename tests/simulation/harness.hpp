@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses, binds, builds and runs models and scenarios that are given as texts.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tail probabilities compared with exact fractions, bounds compared with their definition and closed forms, and
 // coverage summed over every outcome.
 #include "statistics/binomial.hpp"

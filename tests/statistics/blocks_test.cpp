@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tests on blocks compared with values computed by hand, and with every outcome of small tables.
 #include "statistics/blocks.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts by hand, intervals compared with Clopper and Pearson's, the radius compared with its formula, and coverage.
 #include "statistics/chains.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Quantiles compared with tables, and Hoeffding's bound checked by sums over every outcome.
 #include "statistics/means.hpp"
 

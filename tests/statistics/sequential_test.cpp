@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact probabilities of sequential procedures: the distribution of the number of successes among undecided runs is
 // carried from trial to trial, and decided runs leave it.
 #include "statistics/sequential.hpp"

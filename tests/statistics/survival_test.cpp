@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kaplan-Meier estimates by hand: shares are products of (1 - d/n), variances sums of d/(n (n - d)).
 #include "statistics/survival.hpp"
 

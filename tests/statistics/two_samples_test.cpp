@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fisher's test compared with tables computed by hand, and its error summed over every outcome; Holm's adjustment by
 // hand.
 #include "statistics/two_samples.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every format shows the assumptions of a verdict next to it, also if the claim holds and output is brief.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Assertions in csp blocks, and blocks that replace the instantiation that the heading of the report shows.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Simulates a user of a page in Chromium: `node browser.mjs FILE [dark|noscript]`, with one command per line on
 // standard input. `key NAME` presses a key, `click SELECTOR` clicks, `open HASH` changes the address, `back` goes back,
 // `scheme dark` and `scheme light` change the preferred colours, `calm` sets the preference for reduced motion, `paper`

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cached results of earlier runs make a run faster and change none of its answers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `simulate` with a scenario that has a chain, as a user runs it: answers, refutation, files, rejected inputs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arguments of --assertion and the claims that they select.
 #include "app/base/claim_selection.hpp"
 

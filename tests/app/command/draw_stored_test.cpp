@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `draw` with the diagrams that RoboTool stores next to a model.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

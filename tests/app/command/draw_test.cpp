@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `draw` as a user runs it: all diagrams into a folder, one to standard output or a file, formats, rejected
 // inputs.
 #include <gmock/gmock.h>

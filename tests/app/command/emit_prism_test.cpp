@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `emit prism` as a user runs it: the file, ranges from preferences, bad input.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

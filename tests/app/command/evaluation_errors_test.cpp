@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An evaluation error is reported with its place in the model, with exit code 2, by every verb that evaluates a script.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

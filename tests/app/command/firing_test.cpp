@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The core property "every transition fires", for models in which it is obvious whether a transition can be taken.
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Help, man page and completions list exactly the options of the table; docs/cli.md names the verbs and exit codes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

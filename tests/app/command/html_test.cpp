@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `--html`: the page agrees with the JSON, marks existing elements, and runs no code from the model.
 #include <gmock/gmock.h>
 

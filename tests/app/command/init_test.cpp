@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `init`: the files that it writes verify without changes, and it overwrites no existing file.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenarios with several kinds of robots and an environment, as a user runs them: findings, constants, logs, monitors,
 // sweeps, tuning, the page.
 #include <gmock/gmock.h>

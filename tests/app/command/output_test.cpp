@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Output that cannot be written is an error of the run for every verb, and files are written to the requested place.
 // The shell commands close, fill and break standard output as users' pipelines do.
 #include <gmock/gmock.h>

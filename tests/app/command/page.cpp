@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See page.hpp.
 #include "tests/app/command/page.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Functions that read the text of a page and simulate its user in a browser.
 #pragma once
 

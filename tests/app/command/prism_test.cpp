@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `prism` as a user runs it: answers, formats, exit codes, bad input.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

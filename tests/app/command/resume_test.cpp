@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs that are ended during a search by SIGKILL, another signal or a full disk, and then resumed. They must have the
 // answers, figures and counterexamples of an uninterrupted run.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The verb `rules` as a user runs it, with and without a model: answers, exit codes, formats, bad input.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Output for continuous integration servers, JUnit's XML and SARIF for assertions and code, and colours, which appear
 // only on terminals.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `simulate --html`: the page contains the positions and states of the tables, marks existing elements, and runs no
 // code from the model.
 #include <fmt/format.h>

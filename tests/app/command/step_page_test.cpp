@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `step --html`: the page embeds the offers of the terminal, runs no code from the model, and in a browser keys lead to
 // the expected states.
 #include <gmock/gmock.h>

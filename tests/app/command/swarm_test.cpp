@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `check --swarm` as a user runs it: the robot of each step, claims by name, undecided claims.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

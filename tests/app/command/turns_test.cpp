@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Turns of claims: an undecided claim does not delay the others.
 #include "app/claims/turns.hpp"
 

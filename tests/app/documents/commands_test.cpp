@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every command in a document is run, or this file lists it with the reason why not. All verbs and options that
 // documents name must exist. The language of a fenced block decides: `console` is run, `sh` is not run, `text` contains
 // no commands.

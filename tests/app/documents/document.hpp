@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The steps that a Markdown document asks a reader to do: files to write, and commands to run with their expected
 // output. docs/testing.md, "Commands in documents", describes the notation.
 #pragma once

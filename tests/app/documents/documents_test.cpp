@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Follows README.md and the pages of docs/: writes the files that they show, runs the commands that they show, and
 // compares the output with the shown output.
 #include <gmock/gmock.h>

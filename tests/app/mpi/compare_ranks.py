@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Compares the command with robochart-verify-mpi on scripts. mpirun starts the latter with two and four ranks of one thread
 each, and with two ranks of two threads each. Answers and lengths of counterexamples must be those of the command. States
 and transitions must agree too if an assertion holds (if it fails, ranks count whole levels). All numbers and whole

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Ends distributed searches in every documented way: an error of one rank, limits, signals to mpirun (docs/scale.md). Checks
 that all ranks end, with the documented exit code and message. Exits with 1 if there is a difference. With --sample it
 tries only some of the ways.

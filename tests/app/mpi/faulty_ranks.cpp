@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // robochart-verify-mpi with a seeded fault: one rank fails or pauses.
 //
 //   faulty_ranks NUMBER CALL error|memory|sleep ARGUMENT...    before call CALL of its exchange (from 0), rank NUMBER

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Distributed searches with checkpoints in a folder (docs/scale.md). They are ended in several ways, then resumed by other
 numbers of ranks and by threads of the command. The answers, figures and counterexamples must be those of an uninterrupted
 run. Exits with 1 if there is a difference. With --sample only a limit ends the searches.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random scripts through the whole command, compared with the naive checker: the command reads a file, decides it, and
 // reports as JSON and in a second format. Each script combines several processes, each in its own module, written in
 // several ways.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cached answers of an earlier session are used for the same processes only.
 #include "checker/cspm/earlier_answers.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Functions that evaluate small scripts: outcomes of assertions, values, errors.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whole scripts compared with the naive reference. Random processes are printed as CSPM, then parsed, type checked,
 // evaluated, compiled and compressed as a user's script is, and their assertions are decided one by one.
 #include <gtest/gtest.h>

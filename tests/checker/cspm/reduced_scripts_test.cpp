@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Processes of whole scripts are equivalent to their reduced forms under branching bisimilarity with explicit
 // divergence (docs/search.md, "Confluent taus"). ROBOCHART_REDUCED_SCRIPTS names a folder whose scripts are compared
 // too: benchmarks/decide_components.py --keep FOLDER writes those of a suite.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Third-party scripts with known verdicts, read from the folder of shared scripts if it is present. Each verdict was
 // derived from the system that the script describes; comments give the less obvious arguments.
 #include <fmt/format.h>

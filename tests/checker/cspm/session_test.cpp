@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whole scripts with the verdicts of their assertions; comments give the argument for each verdict.
 #include "checker/cspm/session.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Process descriptions with placeholders for omitted values.
 #include "checker/cspm/whole_run.hpp"
 

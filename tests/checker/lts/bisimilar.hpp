@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decides whether two explored systems are bisimilar.
 #pragma once
 

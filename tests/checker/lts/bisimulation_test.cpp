@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Minimisation: known quotients; strong bisimulation compared with the greatest bisimulation, computed by eliminating
 // pairs; and preservation of the models, on random processes.
 #include "checker/lts/bisimulation.hpp"

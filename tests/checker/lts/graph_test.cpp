@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exploration and export.
 #include "checker/lts/graph.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The set of visited states compared with std::map, over widths and sizes that make it grow; and claims by several
 // threads.
 #include "checker/lts/state_store.hpp"

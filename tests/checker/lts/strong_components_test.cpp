@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Strongly connected components compared with their definition: vertices that reach each other.
 #include "checker/lts/strong_components.hpp"
 

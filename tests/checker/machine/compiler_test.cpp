@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiled processes compared with their terms: the two are strongly bisimilar, for each operator alone and for random
 // compositions. A process that cannot be compiled stays a term.
 #include "checker/machine/compiler.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The conditions for following a tau (docs/search.md, "Confluent taus"), one by one: for each condition, a process
 // whose answer would be wrong without it. The expected answers follow by reasoning about the few states of each
 // process.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Level searches, with threads as ranks and as programs with several ranks each, have the answers, figures and lengths
 // of counterexamples of the ordinary search. The counterexample is the same for every number of ranks. Tested on random
 // rules and on families of known size.

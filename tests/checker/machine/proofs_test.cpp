@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Proofs of confluence do not depend on earlier queries, and are correct for every plan.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random compiled processes with components, nested regions, priorities and assignments, in combinations that no script
 // produces.
 #pragma once

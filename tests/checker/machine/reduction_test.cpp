@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The reduced form of a compiled process, in which confluent taus are followed, is equivalent to the whole under
 // branching bisimilarity with explicit divergence. Tested on random processes and random rules.
 #include <gtest/gtest.h>

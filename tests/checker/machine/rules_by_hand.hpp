@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiled processes built rule by rule, in combinations that no script produces.
 #pragma once
 

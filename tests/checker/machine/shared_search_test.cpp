@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiled processes searched by several threads, each with its own copy of the system.
 #include <gtest/gtest.h>
 

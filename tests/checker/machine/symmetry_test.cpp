@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Symmetry reduction: equal components of a compiled process are found, permutations of them are automorphisms, and the
 // reduced state space gives the same answers as the full one.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parses, explores and queries PRISM texts for tests.
 #pragma once
 

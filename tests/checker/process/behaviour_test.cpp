@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs decomposed into the traces and offers of their components, computed by hand.
 #include "checker/process/behaviour.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every firing rule, on operands that are small enough to apply it by hand.
 #include "checker/process/operational_semantics.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A small implementation of Definitions for tests, with prefixes and named processes built by hand.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hash-consing of terms, events, sets, renamings and orders.
 #include "checker/process/term.hpp"
 

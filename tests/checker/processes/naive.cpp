@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Subset construction on explicit graphs, directly from the definitions of the models.
 #include "naive.hpp"
 

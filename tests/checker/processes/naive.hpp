@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A second checker that follows the definitions: firing rules on trees, an explicit graph, subset construction by
 // traces, and enumeration of refusal sets. It shares no code with the engine. For small processes over few letters.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An independent implementation of the firing rules on trees, with one short function for each rule, and of the
 // resulting graph.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Searches whose rows are on disk, with a minimum of memory.
 #pragma once
 

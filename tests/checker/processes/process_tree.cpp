@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints test processes as CSPM.
 #include "process_tree.hpp"
 

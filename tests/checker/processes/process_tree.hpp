@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Test processes as plain trees. They are input for the checker, as terms or as CSPM text, and for the naive reference.
 #pragma once
 

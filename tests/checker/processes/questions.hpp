@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The questions that the random tests ask about a pair of processes, M0 and M1, with the answers by definition.
 #pragma once
 

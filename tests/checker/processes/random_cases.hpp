@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A sequence of random cases that depends only on the seed, not on the compiler. The seed and the number of checks come
 // from the environment (docs/testing.md).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Uses the same random cases in every run, unless RC_PARAMS is set (a nightly run: more cases and a new seed).
 #include <gtest/gtest.h>
 

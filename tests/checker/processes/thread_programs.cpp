@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/checker/processes/thread_programs.hpp"
 
 #include "checker/refine/levels/thread_exchange.hpp"

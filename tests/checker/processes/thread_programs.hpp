@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Simulates programs that share a search, each with several threads, by threads of one program. docs/scale.md describes
 // the version with MPI.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Translates test processes into terms of the checker.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/checker/processes/verdict_text.hpp"
 
 namespace robochart::refine {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Verdicts as texts, so that tests can compare two searches.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An exchange that simulates an error of one rank during a collective operation.
 #pragma once
 

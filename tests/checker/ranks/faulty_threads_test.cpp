@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Programs with several threads each. If one thread fails, all threads of all programs end.
 #include <gtest/gtest.h>
 

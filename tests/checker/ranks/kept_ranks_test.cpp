@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Searches by ranks in separate programs whose rows are stored in a folder: they are stopped and resumed by other
 // numbers of ranks, and by threads of one program. Also ranks that cannot write, or that see another folder.
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The identity of the programs in the tests of ranks.
 #pragma once
 

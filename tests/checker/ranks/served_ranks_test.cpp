@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Searches whose other programs know only what they receive. They must give the same answers, figures and
 // counterexamples as one rank.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The checker compared with the naive reference on random processes over all operators, in every model, with every
 // engine. ROBOCHART_RANDOM_CHECKS and ROBOCHART_RANDOM_SEED select more and other cases (docs/testing.md).
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares counterexamples with the definitions: the run exists in the naive graph, the violation occurs at its end,
 // and if a shortest run is promised, no run is shorter.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Well-known families; their verdicts and sizes are published or follow by counting.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Standard families for refinement checkers, built by hand.
 #pragma once
 

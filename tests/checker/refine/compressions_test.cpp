@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each compression preserves the models that it claims to preserve (lts/compressor.hpp). The naive checker compares the
 // compressed machine of a random process with the process, in both directions, in T, F and FD. agreement_test.cpp tests
 // compressions in contexts.

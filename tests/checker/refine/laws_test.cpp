@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Algebraic laws of CSP (Roscoe, TPC 1998 and UCS 2010) on random processes: both directions in F and FD, unless the
 // law is an inequality. The numbers that generate the processes shrink.
 #include <gtest/gtest.h>

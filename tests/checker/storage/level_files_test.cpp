@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Levels in files, and their checkpoints. Another process reads the contents of the newest complete checkpoint,
 // whenever the writer was ended. Damaged files are rejected.
 #include "checker/storage/level_files.hpp"

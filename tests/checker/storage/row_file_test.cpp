@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files of rows: written rows are read back; damaged files are rejected with the file, the position and the cause.
 #include "checker/storage/row_file.hpp"
 

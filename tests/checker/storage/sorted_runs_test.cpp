@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows in sorted runs are returned in order and without duplicates, however they were distributed; a run that cannot be
 // written does not exist.
 #include "checker/storage/sorted_runs.hpp"

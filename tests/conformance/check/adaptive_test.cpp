@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Adaptive tests for models that leave a choice (cpp_emit/runtime/adaptive.hpp). They follow the behaviour of the
 // implementation. They must fail with a forbidden continuation if the exhaustive check finds a difference, and pass if
 // it finds none.

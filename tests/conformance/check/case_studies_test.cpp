@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The two case studies through the whole check, and variants of them that are not schedulable.
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Choices that the model leaves open (reference API A6). By default the code takes the first alternative. With
 // `--all-choices` the check explores every alternative, and all of them must be runs of the model.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tests of the checker: correct controllers must conform. Each faulty one must differ, at the cycle and with the inputs
 // and the expected event that follow from the model by hand.
 #include "conformance/check/conformance_check.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The comparison of the event API with the cycle API in all states and with all events, and the report of a difference.
 // The expected states follow from tests/conformance/models/reacts by hand.
 #include <gtest/gtest.h>

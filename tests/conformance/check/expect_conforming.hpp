@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The expectation that most tests of `conform` have in common.
 #pragma once
 

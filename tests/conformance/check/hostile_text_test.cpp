@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models and file names with text that has a meaning in the generated languages. The text must not be executed, the
 // generated code must compile, and the verdict must be that of the same model with harmless text.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tests of the checkers: pairs that are known to be bad must be reported as bad after any earlier checks, and pairs
 // that are known to be good must stay good. All controllers are loaded at once: if they shared symbols (g++'s default
 // for inline variables), every comparison would report equality.

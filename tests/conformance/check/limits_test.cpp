@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A limit may turn an answer into "inconclusive", but never into another answer, for all numbers of walks and threads
 // and all amounts of memory.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Events that are raised without effect: which events, for how many consecutive cycles, and where the machine is during
 // these cycles.
 #include "conformance/check/missed_events.hpp"

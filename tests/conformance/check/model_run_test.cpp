@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // If generated code differs from its model, the report shows the model's run up to the difference, for every kind of
 // search. The report also shows runs that explain notes on deadlines and repeated outputs.
 #include "conformance/check/model_run.hpp"

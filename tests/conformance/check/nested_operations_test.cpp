@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Operations that call operations. A variable that an operation requires is the one with that name in its caller's
 // scope (semantics 3.8): the caller's own variable or clock, the machine's, or one that the caller itself requires.
 #include <gtest/gtest.h>

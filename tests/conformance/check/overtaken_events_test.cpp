@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Events of outer states that are processed second in a cycle: after an event of an inner state or after a timeout, and
 // in which state.
 #include "conformance/check/overtaken_events.hpp"

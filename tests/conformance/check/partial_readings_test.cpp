@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The search over partial readings has the same result as the search over all valuations, and scales to models for
 // which the latter is infeasible.
 #include "conformance/check/partial_readings.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Preconditions of functions (semantics 3.5): for every position of an expression, the code checks the precondition as
 // the model does, and waits if the model waits. Each row conforms although the precondition is false in some of its
 // runs. Code that does not check the precondition (Fault::function_precondition_dropped) does not conform.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Probabilistic junctions are a nondeterministic choice in the semantics. In the code the platform draws the
 // alternative; the check explores all alternatives.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random walks for components that are too large for exhaustive checks. They find seeded faults, report them with small
 // counterexamples, and claim nothing if they find none.
 #include <gmock/gmock.h>

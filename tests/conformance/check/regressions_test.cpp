@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models that random tests found. For each of them, the generated code once did not compile without warnings, or
 // differed from its model.
 #include <gtest/gtest.h>

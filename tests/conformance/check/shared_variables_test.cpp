@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Variables whose writes the environment propagates (semantics 3.7). If a controller is checked alone, each of its
 // machines has a copy, and writes of other machines reach it only through the environment.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models that cannot run in control cycles: for each cause, the rule, the elements of the model that are involved, and
 // the suggested fix.
 #include "conformance/check/standstill.hpp"

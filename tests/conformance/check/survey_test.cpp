@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The code of every component of the available models is generated, compiles and conforms, except for the components in
 // the table below. These are not schedulable, not generated, or not yet decided, for the reason stated. A row that is
 // no longer true fails the test.

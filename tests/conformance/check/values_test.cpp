@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every kind of expression over composite values, in generated code as in the model: quantifiers, comprehensions,
 // lambdas, functions and relations as values, the toolkit libraries, ranges, strings, vectors and matrices.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Operations on compiled code other than judging it: comparison with other code, a watchdog for code that does not
 // return, and the report of code that does not compile.
 #include <gmock/gmock.h>

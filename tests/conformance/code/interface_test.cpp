@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names of events in the code's interface and in the script.
 #include "conformance/code/interface.hpp"
 

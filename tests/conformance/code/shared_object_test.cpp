@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiling and loading of code, and the messages for errors.
 #include "conformance/code/shared_object.hpp"
 

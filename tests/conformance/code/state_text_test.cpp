@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // States of the code as reports show them. They include composite values in the notation of logs (docs/traces.md), so
 // states with equal text are equal.
 #include <gmock/gmock.h>

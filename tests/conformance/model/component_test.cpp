@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Facts about one component that are derived from the IR and the script.
 #include "conformance/model/component.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The notation of values in logs: reading inverts printing for every value of every type, and different values are
 // printed differently.
 #include <gtest/gtest.h>

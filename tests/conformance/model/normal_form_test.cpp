@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The normal form in its two representations, as CSPM text and as NormalFormSystem. They are equivalent in
 // failures-divergences on random models. Reading registers in one fixed order loses no behaviour (docs/conformance.md,
 // "One order of reading").

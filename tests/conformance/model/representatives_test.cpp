@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Representative values (docs/conformance.md): the types for which a few values represent all, the values that are
 // chosen, and that faults found with all values are found with the representatives.
 #include "conformance/model/representatives.hpp"

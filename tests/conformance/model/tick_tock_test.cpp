@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Refinement in tick-tock: hand-written pairs on which failures-divergences and tick-tock differ; random pairs compared
 // with model shifting (Mestel, Roscoe: refusals as events of lower priority, decided as traces); and normal forms, for
 // which the two relations agree (docs/conformance.md, "Tick-tock").

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reports of whole cycles must have the same results as event by event reports, for allowed runs and for violations.
 #include "conformance/monitor/cycle_cache.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Monitors: their automaton is that of the normal form, their header is self-contained, and their verdicts agree with
 // those on logs.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mutation analysis of the generator: every seeded fault at every place of a model, compiled in batches and judged.
 // Each mutant is killed, shown by the checker to be equivalent, or a variant that the model allows.
 #pragma once

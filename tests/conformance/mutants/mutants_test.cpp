@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeded faults of the generator in every construct that it writes (cpp_emit/plan/fault.hpp; they include RoboTool's
 // faults). Each mutant is killed, shown by the checker to be equivalent to the original, or a variant that the model
 // allows for a reason listed here. ROBOCHART_MUTANTS=all tries all places and prints tables (scripts/mutants.sh). By

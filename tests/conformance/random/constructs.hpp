@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The language constructs that a model uses, to measure the coverage of the random models.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs random models through the generator: generates code, compiles it in batches, explores it over all inputs,
 // compares it with the semantics, and shrinks models that differ.
 #pragma once

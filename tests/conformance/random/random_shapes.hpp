@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shapes of random models whose generated code is compared with the semantics.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random models of the language's reactive core: generated, compiled in batches, explored over all inputs, compared
 // with their semantics. No discrepancy is accepted. ROBOCHART_SEEDS=N sets the number of models and
 // ROBOCHART_FIRST_SEED=N the first one. ROBOCHART_REPORT=FILE writes one line per count to FILE

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Complete test suites: they kill every faulty controller of their fault domain, pass the correct one, and are runs of
 // the model.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Logs of runs compared with the model: accepted logs, rejected logs and their reports, omissions in partial logs, and
 // the format of logs. The expectations follow from the models by hand.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Wrong mappings and their findings: one row for each mistake, with its place counted by hand.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The node of a generated package in the stub of ROS 2: the test configures and activates it, and sends messages, cycle
 // by cycle. The expected messages follow from the model and the mapping.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/cpp_emit/ros2/package.hpp"
 
 #include <fmt/format.h>

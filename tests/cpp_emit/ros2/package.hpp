@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A generated ROS 2 package, built with tests/cpp_emit/ros2_stub and driven by a program.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Swarms of generated robots: verdicts that follow from the rules of the grid, and verdicts of a separate search that
 // does not use CSP.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tables of advice: the row that matches a position in a text.
 #include "diagnostics/advice/advice.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cache entries are found complete or not at all, only by the program version that stored them, and the folder stays
 // small.
 #include "diagnostics/cache/cache.hpp"

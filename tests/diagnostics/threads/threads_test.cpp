@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parallel work on threads: each number is processed once, and the exception of the lowest number is rethrown; also
 // threads that throw, and threads that cannot be started.
 #include "diagnostics/threads/threads.hpp"

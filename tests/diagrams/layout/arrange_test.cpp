@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The layout of random levels satisfies the criteria of scene.hpp, is deterministic, and changes little after small
 // edits.
 #include "diagrams/layout/arrange.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Levels with a drawn layout: routes between boxes with other sizes, places for text, and elements that were not drawn.
 #include "diagrams/layout/drawn.hpp"
 

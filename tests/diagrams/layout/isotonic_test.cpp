@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Positions by isotonic regression: compared with the definition, and with all positions of a grid.
 #include "diagrams/layout/isotonic.hpp"
 

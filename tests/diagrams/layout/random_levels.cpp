@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See random_levels.hpp.
 #include "tests/diagrams/layout/random_levels.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random levels of every shape, from a seed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Widths of text and line breaking.
 #include "diagrams/layout/text_width.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The texts of diagrams, in RoboTool's order and spelling.
 #include "diagrams/notation/labels.hpp"
 

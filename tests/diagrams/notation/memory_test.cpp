@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Edits of machines move little if the previous layout is used: the share of pairs of nodes of real machines whose
 // order changes.
 #include "diagrams/notation/memory.hpp"

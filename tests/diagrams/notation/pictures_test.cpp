@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The diagrams of all available models satisfy the criteria of scene.hpp; text stays in its box; elements refer to
 // positions in the text.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The elements of a model that have a diagram, and the names of the files.
 #include "diagrams/notation/subjects.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RoboTool's files as data, and invalid files.
 #include "diagrams/stored/aird.hpp"
 

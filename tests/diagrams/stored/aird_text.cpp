@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See aird_text.hpp.
 #include "tests/diagrams/stored/aird_text.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Generates files in RoboTool's format, piece by piece.
 #pragma once
 

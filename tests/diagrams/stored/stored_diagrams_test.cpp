@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Components with a layout that was drawn in RoboTool. The coordinates follow from the file format (docs/diagrams.md):
 // places of nodes are relative to their area, whose border is 5 pixels away, and ends of lines are relative to anchors.
 #include "diagrams/stored/stored_diagrams.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The SVG of all available models is well-formed, with unique ids; malicious text stays text.
 #include "diagrams/svg/svg.hpp"
 

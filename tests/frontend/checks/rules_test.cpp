@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pages of the rules (docs/rules) are their first fixtures; tests/rules runs them. This test runs further variants,
 // fixtures/CODE/bad_*.rct and good_*.rct. A bad fixture must give exactly the findings in its comments (`// expect:
 // CODE …` on the line of the finding); a good one must give no finding with the code of its folder.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The laws of the formatter (docs/format.md): no word or comment is lost, the tree stays the same, formatting is
 // idempotent, and blanks of the input do not matter. Tested on all available texts and on random ones.
 #include <gtest/gtest.h>

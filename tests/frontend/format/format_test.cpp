@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The standard layout (docs/format.md).
 #include <gtest/gtest.h>
 

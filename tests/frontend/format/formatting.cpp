@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See formatting.hpp.
 #include "formatting.hpp"
 

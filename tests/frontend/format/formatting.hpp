@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Formatting in tests: example texts, other spacings of them, and the laws that hold for every text.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Certain fixes, applied as `validate --fix` applies them: afterwards the text is accepted.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Warnings that go beyond the rules: cases that the fixtures do not show. The decision procedure for guards is compared
 // with enumeration of small values.
 #include "frontend/lint/lints.hpp"

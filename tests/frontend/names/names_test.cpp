@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names: duplicate declarations, paths through references to a component, and unknown names, each reported once.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Incremental resolution gives the same result as resolution from scratch, and resolves no more files than necessary.
 #include <gtest/gtest.h>
 

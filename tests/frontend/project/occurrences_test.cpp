@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every name of a project has an occurrence, which refers to the named element (language reference 1.3).
 #include "frontend/project/occurrences.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From paths to models: which files are loaded or rejected, and which belong together.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Certain fixes on every example of the rules: the text that `validate --fix` would write is better than the original.
 #include "diagnostics/repair/repair.hpp"
 

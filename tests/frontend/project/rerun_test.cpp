@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Resolution may run repeatedly on the same trees, and on trees some of which were replaced.
 #include <gtest/gtest.h>
 

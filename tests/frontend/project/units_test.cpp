@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files that belong together (frontend/project/units.hpp).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One missing declaration causes one error; elements that depend on it cause no further errors.
 #include <gtest/gtest.h>
 

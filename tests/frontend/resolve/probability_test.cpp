@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Probabilistic assertions: the elements that their names mean, and the types that a property may have.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Targets of names, and types of expressions.
 #include <gtest/gtest.h>
 

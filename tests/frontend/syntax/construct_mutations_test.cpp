@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One mistake in any construct: every word of the table of constructs is omitted, doubled, or exchanged with the next
 // word. The parser must end, report one or two errors if the text is invalid, and parse the text after the construct.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One row for each construct of the grammar (language reference 1.1, assertion reference 4): its text and the expected
 // tree, or the rule that rejects it. A construct without a row is a construct without a test.
 #pragma once

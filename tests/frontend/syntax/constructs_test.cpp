@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every construct of the grammar (constructs.hpp) gives the expected tree, or is rejected by the rule that it violates.
 #include <gtest/gtest.h>
 

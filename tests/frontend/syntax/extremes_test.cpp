@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Extreme texts: nesting a hundred thousand deep, lines of megabytes, very long names and numbers. Each gives a finding
 // or a tree in linear time, without a crash or a report as long as the text.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Words of other notations: each row of the table is recognised in its position and reported once with RoboChart's word
 // for it. The rest of the text is parsed as if RoboChart's word were there.
 #include "frontend/syntax/foreign_words.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Confused forms, and missing braces: one error that states the correct form, with a fix that parses as intended.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every construct of the grammar, mistakes and recovery, and input that is not a model.
 #include <gtest/gtest.h>
 

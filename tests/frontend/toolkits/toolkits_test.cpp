@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The five libraries of the language (language reference 1.3), and that the order of files and declarations does not
 // matter.
 #include "frontend/toolkits/toolkits.hpp"

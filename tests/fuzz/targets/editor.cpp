@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The language server with any input: a session with an editor that types and sends requests at random, and arbitrary
 // bytes on its stream.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RoboChart's front end with any input, then the properties of the printer.
 #include <memory>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CSPM scripts with any input: a parsed script is printed and parsed again, and must be equal.
 #include "checker/cspm/syntax/reader.hpp"
 #include "tests/fuzz/targets/findings.hpp"

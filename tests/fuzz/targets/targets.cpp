@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See targets.hpp. One row per fuzzer.
 #include "tests/fuzz/targets/targets.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The targets of the fuzzers: they accept any bytes, and must not crash, hang or violate a property that the headers
 // state. The same functions run as ordinary tests on the stored inputs of tests/fuzz/regressions.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CSPM scripts in an editor: findings while typing, also in included files; types and declarations of names.
 #include <gtest/gtest.h>
 

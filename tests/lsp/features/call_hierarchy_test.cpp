@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The callers of an operation, and the operations that it calls.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // "check" above each assertion, "draw" and "step" above each component.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Completion: the possible words at a place, in unfinished text.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CSP blocks in an editor: findings, completion and hover of the names of the script.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Diagnostics while typing, and the fixes that go with them.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Diagrams next to the text: the selected component, the same picture as `draw`, and the last valid picture while the
 // text is broken.
 #include <gmock/gmock.h>

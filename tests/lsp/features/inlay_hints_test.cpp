@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hints for types and values that a text omits.
 #include <gtest/gtest.h>
 

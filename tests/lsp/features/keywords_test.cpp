@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What an editor shows about a reserved word.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Navigation between names and declarations, across files and in broken text.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Outlines, the search for names, folding and colours.
 #include <gtest/gtest.h>
 

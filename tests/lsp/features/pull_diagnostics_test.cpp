@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Diagnostics that the editor requests: no finding is reported twice.
 #include <gtest/gtest.h>
 

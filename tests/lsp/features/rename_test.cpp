@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Renaming changes every occurrence and nothing else, and preserves the meaning of the model.
 #include <gtest/gtest.h>
 

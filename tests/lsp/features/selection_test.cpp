@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Selections that expand from a word outwards.
 #include <gtest/gtest.h>
 

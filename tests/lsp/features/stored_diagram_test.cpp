@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The diagram next to the text with the layout that was drawn in RoboTool, if the project has its file; it is reloaded
 // when the file changes.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenarios, mappings and swarms in an editor: findings while typing, and completion of the words that may follow.
 #include <gtest/gtest.h>
 

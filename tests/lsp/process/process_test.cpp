@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The program itself over pipes, as an editor starts it.
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The life cycle of a server (LSP 3.17, lifecycle messages; JSON-RPC 2.0).
 #include <gtest/gtest.h>
 

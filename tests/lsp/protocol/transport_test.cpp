@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frames, JSON and positions: messages from outside are parsed without trust in their contents.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rules in SLEEC in an editor.
 #include <gtest/gtest.h>
 

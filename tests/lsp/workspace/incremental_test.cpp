@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // After any edits, the state of the server equals that of a newly loaded project.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interrupted work: by $/cancelRequest (LSP 3.17), by newer texts, and by an editor that exits.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Folders, files on disk, and open texts that override them.
 #include <gtest/gtest.h>
 #include <unistd.h>

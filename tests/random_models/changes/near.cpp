@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See near.hpp.
 #include "tests/random_models/changes/near.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models that are almost well-formed: an element is missing, duplicated or misplaced, a name is replaced, or a rule is
 // violated. They test that components after the front end accept or reject the models that the front end accepts.
 #pragma once

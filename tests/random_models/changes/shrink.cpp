@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See shrink.hpp.
 #include "tests/random_models/changes/shrink.hpp"
 

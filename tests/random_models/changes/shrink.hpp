@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shrinks random models that show a fault. This is delta debugging (Zeller, Hildebrandt: Simplifying and isolating
 // failure-inducing input, IEEE TSE 2002), here along the syntax tree.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The table of violations: one row for each way to violate a rule. See violations.hpp.
 #include "tests/random_models/changes/violations.hpp"
 

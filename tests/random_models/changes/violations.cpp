@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds places for violations. See violations.hpp.
 #include "tests/random_models/changes/violations.hpp"
 

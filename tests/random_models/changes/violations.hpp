@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Well-formed models in which one rule is violated on purpose. The front end must report this rule and no other.
 #pragma once
 

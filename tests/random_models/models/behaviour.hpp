@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Machines and operations of random models: nodes, transitions, actions (private to the component).
 #pragma once
 

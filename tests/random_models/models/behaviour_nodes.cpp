@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nodes and transitions of random models: every node has incoming and outgoing transitions as the rules require. See
 // behaviour.hpp.
 #include <fmt/format.h>

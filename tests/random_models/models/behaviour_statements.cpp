@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Actions of random models. See behaviour.hpp.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The types of a random model, and expressions of a given type (private to the component). Expressions are well-typed
 // by construction, by the rules for types (language reference 2, Types).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Generic functions of random models: those of the toolkits and some of the model. The types of a call are found by
 // matching the declared result type with the required one. See data.hpp.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Types and functions of random models. See data.hpp.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names and strings with a meaning in other languages (private to the component): in CSPM, in C++ and its headers, in
 // generated code, in CMake, shells and XML.
 #pragma once

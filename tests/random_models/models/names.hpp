@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names for random models (private to the component): unique in a project, pronounceable, sometimes reserved words.
 #pragma once
 

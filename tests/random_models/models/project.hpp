@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random models as texts, the input of parsers, editors, fuzzers and other tools.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random numbers that are the same on every platform: SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom
 // number generators, OOPSLA 2014). Distributions of the standard library are not used, because their results differ
 // between libraries.

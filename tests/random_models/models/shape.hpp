@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parameters of random well-formed models: sizes, and the language constructs that they use.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Platforms, modules and their connections. See system.hpp.
 #include "tests/random_models/models/system.hpp"
 

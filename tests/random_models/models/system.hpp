@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One module and all its components (private to the component). It decides which component provides, requires and
 // connects what, by the rules for components and connections (language reference 2).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Controllers and machines. See system.hpp.
 #include <fmt/format.h>
 

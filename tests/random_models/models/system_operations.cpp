@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Operations that controllers define: the operations that they call, and the variables and clocks that they access in
 // their callers. See system.hpp.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Systems distributed over files and packages. See well_formed.hpp.
 #include "tests/random_models/models/well_formed.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random models that are well-formed by construction: for every seed and shape they load without an error. Warnings are
 // possible (a variable that is never read, an unconnected event).
 #pragma once

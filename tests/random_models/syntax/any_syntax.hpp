@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random syntax trees that use every construct of RoboChart's grammar (language reference 1.1) and of assertion files.
 // They have no meaning: names and types are arbitrary. For parsers, printers and formatters.
 #pragma once

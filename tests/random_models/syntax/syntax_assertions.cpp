@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Assertion files as random syntax trees, and the public functions of the syntax generator. See any_syntax.hpp.
 #include "tests/random_models/syntax/any_syntax.hpp"
 #include "tests/random_models/syntax/syntax_builder.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Builds random syntax trees (private to the component). The trees have the form that the parser produces: operands
 // that bind too loosely for their position are parenthesised.
 #pragma once

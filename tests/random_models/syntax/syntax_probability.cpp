@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Probabilistic assertions as random syntax trees. See syntax_builder.hpp.
 #include "frontend/syntax/operators.hpp"
 #include "frontend/syntax/print.hpp"

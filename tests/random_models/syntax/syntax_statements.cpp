@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Statements of random syntax trees. See syntax_builder.hpp.
 #include "tests/random_models/syntax/syntax_builder.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names and types of random syntax trees. See syntax_builder.hpp.
 #include <utility>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The generators produce every construct in the table of constructs, alone and in every composition in the table. The
 // test fails for a new construct of the table that the generators do not produce.
 #include "tests/frontend/syntax/constructs.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The syntax generator produces every construct of the grammar, with and without its optional parts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

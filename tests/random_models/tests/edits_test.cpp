@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random models and random edits of them: with cached answers of earlier runs, all answers equal those of a run without
 // a cache. ROBOCHART_SEEDS=N tries N models with ten edits each.
 #include <gtest/gtest.h>

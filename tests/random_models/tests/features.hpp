@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The language features that a text uses, derived from the structure of its tree, to measure the coverage of the
 // generators.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The order of files and declarations and the formatting do not change the results, and damaged texts do not cause
 // crashes.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Printed text parses to an equal tree, for random syntax and random models.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The number of seeds for each property: few by default, ROBOCHART_SEEDS=N for a long run by hand.
 #pragma once
 

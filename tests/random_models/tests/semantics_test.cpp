@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random models in the components after the front end: each component either accepts a model or rejects it with a named
 // rule.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Machines of random models with shared definitions of operations, compared with the same machines with every call
 // inlined: they refine each other in the failures-divergences model (semantics 3.8).
 #include <gtest/gtest.h>

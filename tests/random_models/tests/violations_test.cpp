@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A rule that is violated on purpose in a random well-formed model is reported, and no other finding is.
 #include <gtest/gtest.h>
 

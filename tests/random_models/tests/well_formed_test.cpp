@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random well-formed models load without an error for every seed and shape.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arithmetic and expressions (semantics 3.13; FDR2 manual A.1.2 for `/` and `%`).
 #include "semantics/evaluate/evaluate.hpp"
 

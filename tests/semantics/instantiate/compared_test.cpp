@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every comparison can be true and false: carriers extend beyond the values that are compared.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Constants that are only durations do not extend a carrier.
 #include <gtest/gtest.h>
 

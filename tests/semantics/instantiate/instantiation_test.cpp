@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finite instantiations of a model (semantics 3.6, 3.13).
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Number literals and checked arithmetic.
 #include "semantics/ir/numbers.hpp"
 

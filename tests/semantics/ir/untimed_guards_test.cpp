@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The untimed semantics weakens a condition so that it is true if the condition is true for some values of the clocks.
 // So no run is lost. If each clock is read only once, the result is exact.
 #include "semantics/ir/untimed_guards.hpp"

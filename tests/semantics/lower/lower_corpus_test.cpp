@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The two case studies, lowered: compared field by field with the model texts in corpus/.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lowering construct by construct, on small models.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Assertions and csp blocks (reference: assertion language 4).
 #include <gtest/gtest.h>
 

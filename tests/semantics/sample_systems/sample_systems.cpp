@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The aggregation model (corpus/aggregation/aggregation.rct) as IR, written by hand from the model text.
 #include "tests/semantics/sample_systems/sample_systems.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The adapter for ARGoS: the generated controllers of both case studies stay within their bands in ARGoS, faulty
 // controllers do not, and scenarios with features that ARGoS lacks are rejected. The test is built if ARGoS is
 // installed. ARGoS supports one experiment per process, so each test runs in its own process.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The adapter for Enki: the generated controller aggregates in Enki too, faulty ones do not; scenarios with features
 // that Enki lacks are rejected.
 #include "simulation/adapters/enki/enki_stage.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The contents of pictures, plots and tables of trials, and the values that they show, by hand.
 #include "simulation/report/pictures.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An exception in a worker ends the run with its cause.
 #include <gtest/gtest.h>
 

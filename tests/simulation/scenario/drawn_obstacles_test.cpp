@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Obstacles from drawings: their corners by hand, and drawings that are rejected because a part would be ignored.
 #include "simulation/scenario/drawn_obstacles.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parsing of scenarios: values in internal units, and findings at their places.
 #include "simulation/scenario/scenario.hpp"
 #include "simulation/scenario/read_scenario.hpp"

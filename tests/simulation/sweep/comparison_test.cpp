@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Estimates after a fixed number of trials, and comparisons of sweeps with tables; counts and p-values by hand.
 #include "simulation/sweep/comparison.hpp"
 

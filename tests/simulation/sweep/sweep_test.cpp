@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Points of a sweep, the sets that follow from their verdicts, and tables; verdicts by hand.
 #include "simulation/sweep/sweep.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Formulas on handwritten runs, and random formulas compared with the definitions of the operators on the whole run.
 #include "simulation/trial/formulas.hpp"
 

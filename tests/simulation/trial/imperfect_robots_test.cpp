@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sensors with errors, robots that fail, signals received from neighbours, and moving lights: measured rates compared
 // with the specified ones.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Several kinds of robots with separate models, and the machine of an environment.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

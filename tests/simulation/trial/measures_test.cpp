@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measures by hand, and bands over trials.
 #include "simulation/trial/measures.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One robot with a small machine: its inputs, its motion, and the errors that stop it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

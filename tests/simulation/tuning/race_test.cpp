@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Iterated racing on cost functions with known optima.
 #include "simulation/tuning/race.hpp"
 

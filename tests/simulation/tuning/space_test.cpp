@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ranges and lists of parameters, and values drawn from them.
 #include "simulation/tuning/space.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rays, disks and walls by hand.
 #include "simulation/world/geometry.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The generator is the published one, and its numbers have the stated moments.
 #include "simulation/world/random.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sensors by hand, and the grid compared with a test of every robot.
 #include "simulation/world/sensing.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The world moves robots according to the kinematics, prevents overlaps, and is reproducible bit for bit.
 #include "simulation/world/world.hpp"
 

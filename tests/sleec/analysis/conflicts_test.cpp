@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conflicts and redundancy by the default semantics: the seven faults of SLEEC-TK with the correct verdicts
 // (shared/reference, sleec.md 2), and cases whose verdicts follow from docs/rules-language.md by hand.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The diagnoses of LEGOS for its initial sets (shared/suite/sleec, legos-issues.tsv), with `now` for responses without
 // a limit: the same rules, concerns and purposes. Comments at the comparisons explain where LEGOS counts differently.
 #include <gtest/gtest.h>

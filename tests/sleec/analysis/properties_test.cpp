@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Concerns and purposes, with verdicts by hand from docs/rules-language.md.
 #include "sleec/analysis/properties.hpp"
 

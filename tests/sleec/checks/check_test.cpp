@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names and types in rules: docs/rules-language.md, "Definitions" and "Conditions".
 #include <gtest/gtest.h>
 

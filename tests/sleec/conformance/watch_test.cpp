@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conformance of components to a rule: hand-made components, with verdicts that follow from docs/rules-language.md.
 #include <gtest/gtest.h>
 

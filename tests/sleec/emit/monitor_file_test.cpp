@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Generated monitors, compiled, compared with RuleMonitor, which rule_monitor_test.cpp compares with the checker: on
 // every history of twelve steps of some rules, and on long random histories of random rule sets.
 #include "sleec/emit/monitor_file.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Monitors compared with the checker: for every history over two events and seconds, the monitor reports a violated
 // rule if and only if the process of the rule in the checker (sleec/conformance) can be violated by it.
 #include <gtest/gtest.h>

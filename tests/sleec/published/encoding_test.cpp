@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SLEEC-TK's semantics: the process of every rule equals the published one, and so do all verdicts about pairs.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

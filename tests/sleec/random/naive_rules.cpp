@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // See naive_rules.hpp.
 #include "tests/sleec/random/naive_rules.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conflicts of small rule sets by enumeration of every history, directly from the definitions of
 // docs/rules-language.md. There is no limit on occurrences, and no duty is omitted because another one decides. It
 // shares only the text of the rules with sleec/.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The standard layout: words and comments are kept, lines follow docs/format.md, and formatting is idempotent.
 #include "sleec/syntax/format.hpp"
 

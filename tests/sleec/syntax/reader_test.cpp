@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The grammar of both dialects (docs/rules-language.md): accepted texts with their trees, and rejected texts with
 // places.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Published and other files of rules: each is parsed, and its printed text parses to the same tree. Randomly changed
 // files are parsed or rejected.
 #include <gtest/gtest.h>

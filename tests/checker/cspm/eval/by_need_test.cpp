@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lazy evaluation as in FDR, early evaluation that is abandoned, and sets that cannot be listed. The expected values
 // follow from the definition of each operator. `error("never")` marks expressions that must not be evaluated.
 #include "tests/checker/cspm/outcomes.hpp"

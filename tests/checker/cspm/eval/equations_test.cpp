@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The processes of the published scripts, compared with published systems of equations. NAME-procTestK-expected.txt
 // contains equations for procTestK, which must be strongly bisimilar to them. If a file has alternatives, one of them
 // must be equal.

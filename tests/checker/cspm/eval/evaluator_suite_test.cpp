@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The evaluator on the published scripts: values whose names start with `test` must be true, and faulty scripts must
 // give an error.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Graphs that are printed as CSPM parse to equal graphs. Random processes over all operators are explored, printed,
 // parsed and explored again; both refine each other in failures and divergences.
 #include <gtest/gtest.h>

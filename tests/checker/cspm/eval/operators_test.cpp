@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Operators that scripts rarely use, on small scripts; comments give the argument for each verdict.
 #include "tests/checker/cspm/outcomes.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Texts of values that are data: results of `show`, and names of events. The expected texts follow from reasoning:
 // equal values have equal texts, different values have different texts, and an expression without a value has no text.
 #include "tests/checker/cspm/outcomes.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Calls that differ only in arguments that are never read are one state; calls that differ in an argument that is read
 // are different states.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Advice on common mistakes in scripts: the note that accompanies the finding.
 #include "checker/cspm/syntax/advice.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Texts that FDR's front end unexpectedly accepts or rejects (libcspm: Lexer.x, Parser.ppy).
 #include <gtest/gtest.h>
 

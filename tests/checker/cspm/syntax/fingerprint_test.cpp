@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fingerprints agree with equality: different spellings of the same tree have equal fingerprints, and every part of the
 // tree affects the fingerprint.
 #include "checker/cspm/syntax/fingerprint.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Qualified names find their declarations in modules, timed sections and instances.
 #include "checker/cspm/syntax/lookup.hpp"
 

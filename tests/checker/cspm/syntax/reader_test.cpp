@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Precedence, layout and limits of the parser. Expected trees come from FDR's grammar (levels.hpp).
 #include <gtest/gtest.h>
 

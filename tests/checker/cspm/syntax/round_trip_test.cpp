@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // read(print(tree)) == tree for random trees over the whole language.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

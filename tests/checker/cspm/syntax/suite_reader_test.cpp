@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scripts that FDR's front end accepts or rejects, and RoboTool's own scripts. Accepted scripts must parse, print, and
 // parse to the same tree.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ill-typed scripts, with the finding and its line, most of them next to a similar well-typed script; and large
 // malicious inputs.
 #include <gtest/gtest.h>

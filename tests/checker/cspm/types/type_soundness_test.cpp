@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Soundness: a script that passes the type checker evaluates without a type error. Random scripts come in two kinds:
 // well-typed scripts, which must pass; and scripts with parts of random types inserted, which must evaluate without a
 // type error if they pass.

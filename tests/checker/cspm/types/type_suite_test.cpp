@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Types of published scripts: those that FDR's front end accepts are accepted, and those that it rejects are rejected.
 // RoboTool's own scripts are all accepted, the largest in about a second.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Types of names (FDR manual, chapter CSPM, "Type system"): the inferred types, in FDR's notation.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // End components and bottom components compared with their definitions.
 #include "checker/markov/graph/graph.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Probabilities 0 and 1 compared with computed values; CTL compared with its fixed points.
 #include "checker/markov/graph/qualitative.hpp"
 

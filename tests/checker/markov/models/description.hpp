@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Small models in a form that tests can write and change.
 #pragma once
 

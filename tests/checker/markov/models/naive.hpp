@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Properties of small models by definition: dense rational equations for every memoryless scheduler. Shares only the
 // number type with the code under test.
 #pragma once

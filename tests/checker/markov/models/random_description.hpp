@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random small models, and shrinking of models for which a test fails.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models on which simpler methods fail; the values follow by reasoning.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All operators on random models: enclosures contain the naive solver's value and are narrow, rationals are equal to
 // it, and strategies attain it.
 #include <fmt/format.h>

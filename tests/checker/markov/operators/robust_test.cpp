@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bounds for chains with uncertain probabilities: computed by hand, compared with each vertex of the bounds, and the
 // coverage of bounds for estimated chains.
 #include "checker/markov/operators/robust.hpp"

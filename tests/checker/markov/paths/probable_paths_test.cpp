@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The most probable paths compared with all paths by definition.
 #include "checker/markov/paths/probable_paths.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Both kinds of outward rounding compared with rationals.
 #include "checker/markov/solve/interval.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact solutions by p-adic lifting, and the arithmetic that it uses.
 #include "checker/markov/solve/lifting.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Proved bounds from guesses: the bounds are correct for any guess.
 #include <gtest/gtest.h>
 

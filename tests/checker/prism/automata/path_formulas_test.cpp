@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nested path formulas. Random formulas are decided on lassos, and a naive evaluation of the semantics follows their
 // only path state by state; models with choices are solved by hand.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Static checks that the pages of the rules do not show.
 #include "checker/prism/checks/check.hpp"
 

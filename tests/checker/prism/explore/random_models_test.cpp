@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random models are explored by the program and by a naive implementation of the semantics that shares only the parser
 // with it. States, choices, targets and probabilities must be the same.
 #include <gtest/gtest.h>

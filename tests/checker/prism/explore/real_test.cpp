@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Real numbers: fractions stay exact, and enclosures contain the exact value.
 #include "checker/prism/explore/real.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Statistical model checking compared with exact answers. Seeds are fixed. If an interval at 1e-6 does not contain the
 // exact value, this is almost certainly a bug.
 #include "checker/prism/simulation.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counterexamples and strategies of small models, computed by hand.
 #include "checker/prism/counterexample.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mutated models: every prefix of a text, and texts with pieces cut, doubled and exchanged. Each must be rejected with
 // a finding, stopped by a limit, or answered.
 #include <gtest/gtest.h>

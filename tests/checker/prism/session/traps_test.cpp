@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models on which plausible algorithms give a wrong answer; comments state the wrong and the correct answer.
 #include <gtest/gtest.h>
 

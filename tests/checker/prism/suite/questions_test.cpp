@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models of public questions and of bugs in other tools, and models for which this program once failed
 // (suite/findings3). Comments derive the values. The test is skipped if the material is absent.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expectations computed by hand (suite/prism/prism-tests), and values of the Quantitative Verification Benchmark Set
 // (suite/prism/qvbs). Each is checked with enclosures, and with fractions if the model is small. The test is skipped if
 // the material is absent.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Printed text parses to the same tree.
 #include "checker/prism/syntax/printer.hpp"
 

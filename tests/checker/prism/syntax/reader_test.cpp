@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parser: precedence, recovery, rejected and malicious texts.
 #include "checker/prism/syntax/reader.hpp"
 

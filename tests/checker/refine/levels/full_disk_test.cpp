@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // On a full disk the search so far is saved as far as it fits, whichever write fails: rows, the other data of a
 // checkpoint, or the text of the checkpoint.
 #include <gtest/gtest.h>

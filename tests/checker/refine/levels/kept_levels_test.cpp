@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A search that is resumed with another number of ranks has each row once, and rejects parts with a duplicate row.
 #include "checker/refine/levels/kept_levels.hpp"
 

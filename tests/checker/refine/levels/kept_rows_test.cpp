@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Row stores that use files behave like rows in memory: same levels, figures, violations and tau cycles. This must also
 // hold if the search is stopped repeatedly and resumed from its checkpoints, in another store or by other ranks, and if
 // small filters take many new rows for old ones.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows that are sent to other ranks, and the filter of rows that need not be sent again.
 #include "checker/refine/levels/row_batches.hpp"
 

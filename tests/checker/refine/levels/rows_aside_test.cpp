@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows that are set aside: each is returned with its lowest level first, for any number of rows, and none is lost if
 // the disk is full.
 #include "checker/refine/levels/rows_aside.hpp"

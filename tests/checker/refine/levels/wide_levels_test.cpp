@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Levels of several blocks: rows that are reached again are found in each block.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Antichains compared with the search of all pairs, on random nondeterministic systems, and a specification whose
 // normal form is too large to build.
 #include "checker/refine/search/antichain.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parents in two bits per state, compared with a plain list of parents.
 #include "checker/refine/search/parent_index.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tau cycles compared with reachability, computed edge by edge.
 #include "checker/refine/search/tau_cycle.hpp"
 

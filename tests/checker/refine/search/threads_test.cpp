@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Verdicts, counterexamples and figures are the same for any number of threads. Every level counts as wide here, so all
 // threads take part in small systems too.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Single verdicts that follow from the models' definitions by hand, and the contents of counterexamples.
 #include "checker/refine/verdict/check.hpp"
 #include "checker/process/bisimulation_compressor.hpp"

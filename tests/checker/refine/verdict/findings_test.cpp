@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Findings are decoded as they were encoded, and other bytes are rejected.
 #include "checker/refine/verdict/findings.hpp"
 

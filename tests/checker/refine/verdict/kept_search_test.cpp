@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks whose searches are stored in a folder: same answers, figures and counterexamples as level searches in memory,
 // also after kills at any time; and rejection of folders that belong to other runs.
 #include "checker/refine/verdict/kept_search.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // AG EF of an event: by hand, and for random processes compared with a forward search from each state.
 #include "checker/refine/verdict/recurrence.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The reference checks the engine: it detects invented counterexamples and reports its own run if the engine differs.
 // The inverse firing rules give every step of every operator a derivation.
 #include "checker/refine/verdict/reference.hpp"

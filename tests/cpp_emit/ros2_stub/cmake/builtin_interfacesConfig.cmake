@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # builtin_interfaces' targets, for tests.
 add_library(builtin_interfaces::builtin_interfaces INTERFACE IMPORTED)
 set_target_properties(builtin_interfaces::builtin_interfaces PROPERTIES INTERFACE_INCLUDE_DIRECTORIES ${CMAKE_CURRENT_LIST_DIR}/../include)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # rcl_interfaces' targets, for tests.
 add_library(rcl_interfaces::rcl_interfaces INTERFACE IMPORTED)
 set_target_properties(rcl_interfaces::rcl_interfaces PROPERTIES

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # The target and command of rclcpp_components, for tests. The real command generates a program with the node and builds
 # it.
 add_library(rclcpp_components::component INTERFACE IMPORTED)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # rclcpp_lifecycle's target, for tests.
 add_library(rclcpp_lifecycle::rclcpp_lifecycle INTERFACE IMPORTED)
 set_target_properties(rclcpp_lifecycle::rclcpp_lifecycle PROPERTIES

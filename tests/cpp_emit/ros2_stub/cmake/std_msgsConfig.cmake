@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # std_msgs' targets, for tests.
 add_library(std_msgs::std_msgs INTERFACE IMPORTED)
 set_target_properties(std_msgs::std_msgs PROPERTIES INTERFACE_INCLUDE_DIRECTORIES ${CMAKE_CURRENT_LIST_DIR}/../include)

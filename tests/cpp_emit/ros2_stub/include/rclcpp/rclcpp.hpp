@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts of rclcpp that generated nodes use, for tests: messages are delivered immediately, and timers fire when the
 // test requests it. ROS 2 is not in Debian 12; the names and signatures are those of its published headers (Humble,
 // Jazzy).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The registration of a component, for tests: checks the requirements of the real macro on the class.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts of rclcpp_lifecycle::LifecycleNode that generated nodes use, for tests: the states of
 // design.ros2.org/articles/node_lifecycle.html. If a callback fails, the node keeps its state.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A publisher that publishes while its node is active, for tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Actions of launch_ros, for tests.
 from launch.actions import Action
 

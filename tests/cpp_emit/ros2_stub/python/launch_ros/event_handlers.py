@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Event handlers of launch_ros, for tests.
 
 

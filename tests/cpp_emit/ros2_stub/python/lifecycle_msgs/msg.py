@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Messages of lifecycle_msgs, for tests.
 
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts of geometry_msgs/msg/Vector3 that generated nodes use, for tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts of my_msgs/msg/Lamp that generated nodes use, for tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parts of std_msgs/msg/Float64 that generated nodes use, for tests.
 #pragma once
 
