@@ -33,9 +33,23 @@ TEST(Sanity, EveryComponentIsInTheArchitecture) {
     }
 }
 
+/// Generated code and code that ships with it name the licence in their head comments instead.
+TEST(Sanity, SourcesNameTheirLicence) {
+    const std::string_view generated[] = {"cpp_emit/runtime/", "cpp_emit/projects/", "benchmarks/code/", "/golden/"};
+    for (const fs::path& path : files(root(), {".hpp", ".cpp"})) {
+        const std::string name = path.string();
+        if (std::ranges::any_of(generated, [&](std::string_view part) { return name.find(part) != std::string::npos; }))
+            continue;
+        EXPECT_TRUE(contents(path).starts_with("// SPDX-License-Identifier: Apache-2.0\n"))
+            << path << " does not begin with the line of its licence";
+    }
+}
+
 TEST(Sanity, HeadersSayWhatTheyAreForAndAreGuarded) {
     for (const fs::path& path : files(root(), {".hpp"})) {
-        const std::string text = contents(path);
+        std::string text = contents(path);
+        const std::string licence = "// SPDX-License-Identifier: Apache-2.0\n";
+        if (text.starts_with(licence)) text.erase(0, licence.size());
         EXPECT_TRUE(text.starts_with("//")) << path << " has no head comment";
         // Headers that are shipped with generated code use portable include guards.
         const bool guarded =
