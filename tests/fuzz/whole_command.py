@@ -36,8 +36,7 @@ DOCUMENTED_EXITS = {0, 1, 2, 3, 4}
 
 @dataclasses.dataclass
 class Limits:
-    """What runs are told, and what they are held to: a tenth or half a second more, the rest is for a machine that does other things
-    as well."""
+    """The limits passed to a run, and the larger limits that it must stay within, because the machine may be busy."""
     timeout: int
     memory: int  # MiB
     most_cpu: float
