@@ -77,7 +77,7 @@ public:
 
 private:
     void receive(const Json& message) {
-        server_.receive(message.write());
+        server_.receive(robochart::diagnostics::json_text(message));
         while (server_.has_work()) server_.step();
         server_.idle();
     }

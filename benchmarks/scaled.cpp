@@ -14,8 +14,10 @@ simulation::Scenario scaled(const simulation::Scenario& scenario, std::uint32_t 
     other.world.arena.height *= scale;
     for (simulation::Segment& wall : other.world.arena.walls) wall = {scale * wall.from, scale * wall.to};
     for (simulation::Light& light : other.lights) light.at = scale * light.at;
-    for (simulation::Placement& placement : other.placements)
-        if (placement.region) *placement.region = {scale * placement.region->low, scale * placement.region->high};
+    for (simulation::Placement& placement : other.placements) {
+        if (placement.kind != simulation::Placement::Kind::region) continue;
+        placement.region = {scale * placement.region.low, scale * placement.region.high};
+    }
     other.bands.clear();
     other.pictures.clear();
     return other;
