@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "checker/cspm/eval/evaluation_error.hpp"
+#include "checker/cspm/syntax/reader.hpp"
 #include "checker/lts/graph.hpp"
 #include "checker/machine/content.hpp"
 #include "checker/machine/supercombinator_system.hpp"
@@ -83,6 +84,37 @@ std::optional<QuestionKey> key_of(const Question& question, const std::function<
     return QuestionKey{hasher.finish(), named.named()};
 }
 
+QuestionKey key_of_packed(const Question& question, const Script& script, const Decl& assertion,
+                          const process::EventSet& events) {
+    process::EventSet all = events;
+    all.insert(all.end(), {process::tau, process::tick});
+    const machine::EventPlaces named = places(std::move(all));
+    diagnostics::Hasher hasher;
+    hasher.add(std::string_view("packed states"));
+    for (const std::uint64_t part :
+         {static_cast<std::uint64_t>(question.kind), static_cast<std::uint64_t>(question.model), question.max_states,
+          std::uint64_t{question.reduction ? 1U : 0U}, std::uint64_t{assertion.span.begin}})
+        hasher.add(part);
+    hasher.add(std::string_view(print(script)));
+    hasher.add(std::string_view(print(assertion)));
+    for (const process::Event event : named.named()) hasher.add(question.process->events().name(event));
+    return {hasher.finish(), named.named()};
+}
+
+namespace {
+
+/// Whether they can be written with these events: those of linked processes are none of a channel.
+bool all_named(const refine::Findings& findings, const process::EventSet& named) {
+    if (!findings.violation) return true;
+    const auto known = [&](process::Event event) { return std::ranges::binary_search(named, event); };
+    for (const refine::Run* const run : {&findings.violation->run, &findings.violation->loop})
+        for (const refine::RunStep& step : run->steps)
+            if (!known(step.event) || !known(step.revealed)) return false;
+    return true;
+}
+
+}  // namespace
+
 refine::Verdict answer(const Question& question, const QuestionKey& key, const Memory& memory,
                        const std::function<refine::Verdict(refine::Earlier)>& ask) {
     std::optional<refine::Findings> findings;
@@ -97,8 +129,19 @@ refine::Verdict answer(const Question& question, const QuestionKey& key, const M
         }
     }
     refine::Verdict verdict = ask(&findings);
-    if (findings && findings->statistics.states >= memory.fewest_states)
+    if (findings && findings->statistics.states >= memory.fewest_states && all_named(*findings, key.named))
         memory.cache->keep(key.digest, refine::encode(*findings, key.named));
+    return verdict;
+}
+
+refine::Verdict answer_of_width(const Question& question, const QuestionKey& key, const Memory& memory,
+                                const std::function<refine::Verdict(refine::Earlier)>& ask) {
+    diagnostics::Hasher hasher;
+    hasher.add(key.digest);
+    hasher.add(std::uint64_t{question.process->width()});
+    const QuestionKey of_width{hasher.finish(), key.named};
+    refine::Verdict verdict = answer(question, of_width, memory, ask);
+    if (const auto bytes = memory.cache->find(of_width.digest)) memory.cache->keep(key.digest, *bytes);
     return verdict;
 }
 

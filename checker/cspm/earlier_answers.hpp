@@ -37,6 +37,11 @@ struct QuestionKey {
 [[nodiscard]] std::optional<QuestionKey> key_of(const Question&, const std::function<void()>& poll,
                                                 const std::optional<std::chrono::milliseconds>& longest);
 
+/// The key of a question about packed states (packed/packed_system.hpp), which depend on the script: the whole of it,
+/// the assertion, and the names of its events in their order. `events`: all of the script's channels.
+[[nodiscard]] QuestionKey key_of_packed(const Question&, const Script& script, const Decl& assertion,
+                                        const process::EventSet& events);
+
 /// For answers that only save time.
 inline constexpr std::chrono::milliseconds longest_look{1000};
 
@@ -51,5 +56,9 @@ struct Memory {
 /// are not used.
 [[nodiscard]] refine::Verdict answer(const Question&, const QuestionKey&, const Memory&,
                                      const std::function<refine::Verdict(refine::Earlier)>& ask);
+/// The same for packed states, which may be widened and asked about again: findings are those of states of this width.
+/// They are kept under the question's own key too, once it is answered.
+[[nodiscard]] refine::Verdict answer_of_width(const Question&, const QuestionKey&, const Memory&,
+                                              const std::function<refine::Verdict(refine::Earlier)>& ask);
 
 }  // namespace robochart::cspm

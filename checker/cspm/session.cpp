@@ -7,19 +7,19 @@
 #include <chrono>
 #include <ctime>
 #include <functional>
+#include <limits>
 #include <new>
 
 #include "checker/cspm/earlier_answers.hpp"
-#include "checker/cspm/eval/evaluator.hpp"
-#include "checker/cspm/resolve/resolver.hpp"
-#include "checker/cspm/resolve/unread_parameters.hpp"
+#include "checker/cspm/packed/loaded_script.hpp"
+#include "checker/cspm/packed/not_packed.hpp"
+#include "checker/cspm/packed/packed_system.hpp"
 #include "checker/cspm/syntax/lookup.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/types/deep_stack.hpp"
 #include "checker/cspm/whole_run.hpp"
 #include "checker/machine/compiler.hpp"
 #include "checker/machine/not_compiled.hpp"
-#include "checker/process/operational_semantics.hpp"
 #include "checker/process/term_system.hpp"
 #include "checker/refine/search/budget.hpp"
 #include "checker/refine/verdict/level_strategy.hpp"
@@ -30,31 +30,33 @@ namespace robochart::cspm {
 
 namespace {
 
-using PlaceOfTerm = std::function<Span(process::TermId)>;
-
-// Converts errors of the firing rules to evaluation errors, so that users of a session see one kind: at the erroneous
-// definition, if `place_of` knows it, otherwise at `span`.
-template <class Work>
-auto evaluated(Span span, const PlaceOfTerm& place_of, const Work& work) {
-    try {
-        return work();
-    } catch (const process::SemanticsError& error) {
-        const Span place = error.term ? place_of(*error.term) : Span{};
-        throw EvaluationError(error.what(), place.known() ? place : span, {});
-    }
-}
+/// Thrown by a SessionSystem that has made more terms than it may.
+struct ManyTerms {};
 
 // A process that stays a term.
 class SessionSystem final : public lts::TransitionSystem {
 public:
-    /// Errors are placed at the erroneous definition, which `place` returns, or otherwise at `span`.
-    SessionSystem(process::OperationalSemantics& semantics, process::TermId term, Span span, PlaceOfTerm place)
-        : system_(semantics, term), span_(span), place_(std::move(place)) {}
+    /// Errors are placed at the erroneous definition, or otherwise at `span`.
+    SessionSystem(LoadedScript& loaded, process::TermId term, Span span)
+        : loaded_(loaded), system_(loaded.semantics, term), term_(term), span_(span) {}
+
+    /// Counts the terms that are made, and throws ManyTerms when they have become `most`.
+    void count(std::size_t& made, std::size_t most) {
+        made_ = &made;
+        most_made_ = most;
+    }
+    void count_no_more() { made_ = nullptr; }
+    [[nodiscard]] process::TermId term() const { return term_; }
+    [[nodiscard]] Span span() const { return span_; }
 
     [[nodiscard]] std::size_t width() const override { return system_.width(); }
     void initial(std::span<lts::Word> state) override { system_.initial(state); }
     void successors(lts::StateView state, lts::SuccessorSink& sink) override {
-        evaluated(span_, place_, [&] { system_.successors(state, sink); });
+        const std::size_t before = loaded_.terms.size();
+        loaded_.evaluated_at(span_, [&] { system_.successors(state, sink); });
+        if (made_ == nullptr) return;
+        *made_ += loaded_.terms.size() - before;
+        if (*made_ >= most_made_) throw ManyTerms{};
     }
     [[nodiscard]] const process::EventTable& events() const override { return system_.events(); }
     [[nodiscard]] bool states_are_terms() const override { return true; }
@@ -62,9 +64,12 @@ public:
     void watch(const std::function<void()>& poll) override { system_.watch(poll); }
 
 private:
+    LoadedScript& loaded_;
     process::TermSystem system_;
+    process::TermId term_;
     Span span_;
-    PlaceOfTerm place_;
+    std::size_t* made_ = nullptr;
+    std::size_t most_made_ = 0;
 };
 
 /// Truncates a description to one line, without splitting characters.
@@ -92,51 +97,16 @@ void negate(refine::Verdict& verdict) {
 }  // namespace
 
 struct Session::Impl {
-    Impl(Script given, diagnostics::Budget* budget, bool whole_states)
+    Impl(Script given, diagnostics::Budget* budget, bool whole)
         : script(std::move(given)),
-          terms(events),
-          semantics(terms, &compressor),
-          compiler(semantics),
-          resolver(program, store),
-          evaluator(program, store, events, terms) {
+          whole_states(whole),
+          loaded(script, &compressor, budget, whole_states),
+          compiler(loaded.semantics) {
         compressor.use(compiler);
-        if (budget != nullptr) resolver.watch([budget] { budget->poll(); });
-        on_deep_stack([this, whole_states] {
-            resolver.script(script);
-            if (!whole_states) find_unread_parameters(program);
-        });
-        resolver.watch({});
-    }
-
-    struct Ready {
-        const Code* code = nullptr;
-        const Unit* unit = nullptr;
-    };
-    Ready ready(const ExprPtr& expr, const Decl* place = nullptr) {
-        Unit* unit = nullptr;
-        const Code* code = nullptr;
-        on_deep_stack([&] { code = resolver.expression(expr, place, unit); });
-        return {code, unit};
-    }
-
-    template <class Work>
-    auto evaluated_at(Span span, const Work& work) {
-        return evaluated(
-            span, [this](process::TermId at) { return place_of(at); }, work);
-    }
-
-    /// The definition of the first call in the term.
-    Span place_of(process::TermId term) {
-        const process::Term& at = terms[term];
-        if (at.op == process::Op::call) return evaluator.place_of_call(at.payload);
-        for (const process::TermId child : at.children)
-            if (const Span place = place_of(child); place.known()) return place;
-        return {};
     }
 
     std::unique_ptr<SessionSystem> term_system(process::TermId term, Span span) {
-        return std::make_unique<SessionSystem>(semantics, term, span,
-                                               [this](process::TermId at) { return place_of(at); });
+        return std::make_unique<SessionSystem>(loaded, term, span);
     }
 
     std::unique_ptr<lts::TransitionSystem> system(process::TermId term, Span span, const std::function<void()>& poll) {
@@ -153,32 +123,24 @@ struct Session::Impl {
         bounds.component_states *= 10;  // because they are not minimised
         bounds.minimised_states = 0;
         bounds.region_states = 0;
-        auto compiled = machine::Compiler(semantics, bounds).compile(term, poll);
+        auto compiled = machine::Compiler(loaded.semantics, bounds).compile(term, poll);
         if (compiled) return compiled;
         return term_system(term, span);
     }
 
-    /// One side of an assertion as a term.
-    process::TermId term_of(const ExprPtr& expr, const Decl& assertion) {
-        const Ready code = ready(expr, &assertion);
-        const process::TermId term = evaluator.process(*code.code, *code.unit);
-        if (!assertion.assertion.tau_priority) return term;
-        const Ready set = ready(assertion.assertion.tau_priority, &assertion);
-        return evaluator.tau_priority(term, evaluator.event_set(*set.code, *set.unit));
-    }
-
     std::unique_ptr<lts::TransitionSystem> side(const ExprPtr& expr, const Decl& assertion,
                                                 const std::function<void()>& poll) {
-        return system(term_of(expr, assertion), expr->span, poll);
+        return system(loaded.term_of(loaded.side(expr, assertion)), expr->span, poll);
     }
 
     /// Adds the omitted values to the run's descriptions; returns the run of terms in `whole`.
     std::optional<WholeRun> with_values(process::TermId process, std::string& initial, std::vector<refine::Step>& run) {
-        std::optional<WholeRun> found = whole_run(whole->semantics, whole->events, process, initial, run, events);
+        std::optional<WholeRun> found =
+            whole_run(whole->loaded.semantics, whole->loaded.events, process, initial, run, loaded.events);
         if (!found) return std::nullopt;
-        initial = process::describe(whole->terms, found->initial);
+        initial = process::describe(whole->loaded.terms, found->initial);
         for (std::size_t i = 0; i < run.size(); ++i)
-            run[i].state = process::describe(whole->terms, found->steps[i].target);
+            run[i].state = process::describe(whole->loaded.terms, found->steps[i].target);
         return found;
     }
 
@@ -189,13 +151,13 @@ struct Session::Impl {
         const Polling polling(*whole, budget);
         const Assertion& asked = assertion.assertion;
         const bool refinement = asked.kind == AssertionKind::refinement;
-        const process::TermId process =
-            whole->term_of(refinement ? asked.implementation : asked.specification, assertion);
+        const process::TermId process = whole->loaded.term_of(
+            whole->loaded.side(refinement ? asked.implementation : asked.specification, assertion));
         if (!shown.accepting.empty()) (void)with_values(process, shown.accepting_initial, shown.accepting);
         const std::optional<WholeRun> run = with_values(process, shown.initial, shown.steps);
         if (!run) return std::nullopt;
-        process::Behaviour result = process::behaviour(whole->semantics, run->initial, run->steps);
-        translate(result, [&](process::Event event) { return events.intern(whole->events.name(event)); });
+        process::Behaviour result = process::behaviour(whole->loaded.semantics, run->initial, run->steps);
+        translate(result, [&](process::Event event) { return loaded.events.intern(whole->loaded.events.name(event)); });
         return result;
     }
 
@@ -219,17 +181,17 @@ struct Session::Impl {
         Polling(Impl& impl, refine::Budget& budget) : impl_(impl) {
             // The evaluator polls seldom, since its steps are small.
             constexpr std::uint64_t at_once = 1024;
-            impl_.evaluator.watch([&budget] { budget.charge(at_once); });
-            impl_.semantics.watch([this, &budget] {
-                budget.states(impl_.semantics.states_explored());
+            impl_.loaded.evaluator.watch([&budget] { budget.charge(at_once); });
+            impl_.loaded.semantics.watch([this, &budget] {
+                budget.states(impl_.loaded.semantics.states_explored());
                 budget.charge();
             });
         }
         Polling(const Polling&) = delete;
         Polling& operator=(const Polling&) = delete;
         ~Polling() {
-            impl_.evaluator.watch({});
-            impl_.semantics.watch({});
+            impl_.loaded.evaluator.watch({});
+            impl_.loaded.semantics.watch({});
         }
 
     private:
@@ -238,7 +200,7 @@ struct Session::Impl {
 
     void tell_stage(refine::Progress& progress) const {
         const machine::Compiler::Stage& stage = compiler.stage();
-        if (stage.component) progress.part = brief(process::describe(terms, *stage.component));
+        if (stage.component) progress.part = brief(process::describe(loaded.terms, *stage.component));
         progress.component = stage.number;
         progress.components = stage.of;
         progress.states = stage.states;
@@ -274,7 +236,7 @@ struct Session::Impl {
         const machine::Compiler::Stage& stage = compiler.stage();
         if (!stage.component) return "";
         std::string text =
-            fmt::format("; {} states of {}", stage.states, brief(process::describe(terms, *stage.component)));
+            fmt::format("; {} states of {}", stage.states, brief(process::describe(loaded.terms, *stage.component)));
         if (stage.of > 0) text += fmt::format(", component {} of {}", stage.number, stage.of);
         return text;
     }
@@ -296,21 +258,27 @@ struct Session::Impl {
     }
 
     refine::Verdict decide_begun(const Decl& assertion, const refine::Limits& limits, AssertionResult& result) {
-        const Assertion& asked = assertion.assertion;
-        const refine::Model in = model(assertion);
+        (void)model(assertion);
         const auto start = std::chrono::steady_clock::now();
         const std::clock_t work = std::clock();
-        const Sides both = sides(assertion, limits);
+        Sides both = sides(assertion, limits);
         result.compile_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         result.compile_cpu_seconds = static_cast<double>(std::clock() - work) / CLOCKS_PER_SEC;
         refine::Limits quiet = limits;
         quiet.progress = {};
         refine::Budget evaluation(quiet);
         const Polling polling(*this, evaluation);
+        return decide_packing(both, assertion, limits,
+                              [&] { return decide_once(both, assertion, limits, evaluation); });
+    }
+
+    /// The answer about these systems as they are now.
+    refine::Verdict decide_once(const Sides& both, const Decl& assertion, const refine::Limits& limits,
+                                refine::Budget& evaluation) {
+        const refine::Model in = model(assertion);
         const auto ask = [&](refine::Earlier earlier) { return ask_of(both, assertion, in, limits, earlier); };
-        if (limits.by_levels != nullptr)
-            return decide_by_levels(question_of(both, assertion, limits), *limits.by_levels, evaluation, ask);
-        if (memory.cache == nullptr || asked.kind == AssertionKind::has_trace) return ask(nullptr);
+        if (limits.by_levels != nullptr) return decide_by_levels(both, assertion, limits, evaluation, ask);
+        if (memory.cache == nullptr || assertion.assertion.kind == AssertionKind::has_trace) return ask(nullptr);
         const Question question = question_of(both, assertion, limits);
         const auto key = key_of(
             question, [&evaluation] { evaluation.charge(); }, longest_look);
@@ -329,16 +297,139 @@ struct Session::Impl {
 
     /// Such a search may continue an earlier run's, independently of the limit that ended it. Its answers are stored
     /// separately, since the statistics of a search that finds a violation differ.
-    refine::Verdict decide_by_levels(Question question, refine::LevelStrategy& strategy, refine::Budget& evaluation,
+    refine::Verdict decide_by_levels(const Sides& both, const Decl& assertion, const refine::Limits& limits,
+                                     refine::Budget& evaluation,
                                      const std::function<refine::Verdict(refine::Earlier)>& ask) {
+        refine::LevelStrategy& strategy = *limits.by_levels;
+        Question question = question_of(both, assertion, limits);
         question.max_states = 0;
+        const PackedSystem* const process = packed_side(both.second ? both.second : both.first);
         std::optional<QuestionKey> key;
-        if (question.kind != AssertionKind::has_trace)
-            key = key_of(
-                question, [&evaluation] { evaluation.charge(); }, std::nullopt);
+        if (question.kind != AssertionKind::has_trace) {
+            if (process != nullptr && all_events)
+                key = key_of_packed(question, script, assertion, *all_events);
+            else
+                key = key_of(
+                    question, [&evaluation] { evaluation.charge(); }, std::nullopt);
+        }
         strategy.identify_question(key ? std::optional(key->digest) : std::nullopt);
         const Memory kept{strategy.answers(), 0};
-        return key && kept.cache != nullptr ? answer(question, *key, kept, ask) : ask(nullptr);
+        if (!key || kept.cache == nullptr) return ask(nullptr);
+        if (process == nullptr) return answer(question, *key, kept, ask);
+        return answer_of_width(question, *key, kept, ask);
+    }
+
+    static PackedSystem* packed_side(const std::unique_ptr<lts::TransitionSystem>& side) {
+        return dynamic_cast<PackedSystem*>(side.get());
+    }
+    static SessionSystem* terms_side(const std::unique_ptr<lts::TransitionSystem>& side) {
+        return dynamic_cast<SessionSystem*>(side.get());
+    }
+
+    /// Decides anew when processes that stay terms turn out to be large, or their packed states to need more space.
+    refine::Verdict decide_packing(Sides& both, const Decl& assertion, const refine::Limits& limits,
+                                   const std::function<refine::Verdict()>& attempt) {
+        enum class Before { nothing, pack, widen, unpack };
+        Before before = Before::nothing;
+        all_events.reset();
+        const bool terms = terms_side(both.first) != nullptr || terms_side(both.second) != nullptr;
+        if (terms && !observed) {
+            count_terms(both, most_terms(true));
+            if (limits.by_levels != nullptr) before = Before::pack;
+        }
+        for (;;) {
+            try {
+                if (before == Before::pack) pack_sides(both, assertion, limits);
+                if (before == Before::widen) widen_sides(both);
+                if (before == Before::unpack) unpack_sides(both);
+                return attempt();
+            } catch (const ManyTerms&) {
+                before = Before::pack;
+            } catch (const RowsTooNarrow&) {
+                before = Before::widen;
+            } catch (const NotPacked&) {
+                before = Before::unpack;
+            }
+        }
+    }
+
+    /// Making the script ready once more must be little beside what has been done with it.
+    [[nodiscard]] std::size_t most_terms(bool direct) const {
+        constexpr std::size_t few = 5'000, many = 150'000;
+        if (packing.from_terms) return *packing.from_terms;
+        return std::max(direct ? few : many, loaded.program.codes.size() / 4);
+    }
+
+    void count_terms(Sides& both, std::size_t most) {
+        for (auto* const side : {&both.first, &both.second})
+            if (SessionSystem* const terms = terms_side(*side)) terms->count(terms_made, most);
+    }
+
+    /// Each process that stays a term as packed states; its terms become the reference.
+    void pack_sides(Sides& both, const Decl& assertion, const refine::Limits& limits) {
+        const Assertion& asked = assertion.assertion;
+        // The numbers of events must not depend on what a search meets first, which another run may not search again.
+        if (limits.by_levels != nullptr) all_events = events_of_script();
+        const std::shared_ptr<PackedProcesses> processes = processes_for(limits);
+        std::vector<std::pair<std::unique_ptr<lts::TransitionSystem>*, std::size_t>> sides;
+        if (terms_side(both.first) != nullptr)
+            sides.emplace_back(&both.first, processes->add(asked.specification, assertion));
+        if (terms_side(both.second) != nullptr)
+            sides.emplace_back(&both.second, processes->add(asked.implementation, assertion));
+        const auto is_direct = [&](const auto& side) { return processes->is_direct(side.second); };
+        const bool few = !packing.from_terms && limits.by_levels == nullptr && terms_made < most_terms(false);
+        if (few && !std::ranges::all_of(sides, is_direct)) return count_terms(both, most_terms(false));
+        for (const auto& [place, number] : sides) {
+            SessionSystem& terms = *terms_side(*place);
+            terms.count_no_more();
+            auto packed = std::make_unique<PackedSystem>(processes, number, terms.span());
+            packed->set_reference(std::move(*place));
+            *place = std::move(packed);
+        }
+        if (all_events) processes->fix_parts();
+    }
+
+    /// Questions that are about the same processes find what was evaluated for them. The rows of a search by levels are
+    /// the same in every run, whatever else was asked.
+    std::shared_ptr<PackedProcesses> processes_for(const refine::Limits& limits) {
+        PackedProcesses::Settings settings;
+        settings.whole_states = whole_states;
+        settings.most_kept = packing.most_kept.value_or(most_kept_in(limits.memory_bytes));
+        settings.terms_alone = packing.terms_alone;
+        settings.forget_each_state = packing.most_kept == 0U;
+        if (packed_processes == nullptr || limits.by_levels != nullptr)
+            packed_processes = std::make_shared<PackedProcesses>(script, loaded.events, settings);
+        return packed_processes;
+    }
+
+    static void widen_sides(const Sides& both) {
+        for (const auto* const side : {&both.first, &both.second})
+            if (PackedSystem* const packed = packed_side(*side)) packed->widen();
+    }
+
+    void unpack_sides(Sides& both) {
+        for (auto* const side : {&both.first, &both.second}) {
+            if (SessionSystem* const terms = terms_side(*side)) terms->count_no_more();
+            if (packed_side(*side) == nullptr) continue;
+            const auto& terms = dynamic_cast<const SessionSystem&>(*(*side)->reference());
+            *side = term_system(terms.term(), terms.span());
+        }
+    }
+
+    /// None where they cannot be listed, or are very many.
+    std::optional<process::EventSet> events_of_script() {
+        constexpr std::uint64_t most = 200'000;
+        try {
+            return loaded.evaluator.all_events(most);
+        } catch (const EvaluationError&) {
+            return std::nullopt;
+        }
+    }
+
+    /// Values and terms take some hundred bytes each: a small part of the memory.
+    static std::size_t most_kept_in(std::uint64_t memory_bytes) {
+        constexpr std::uint64_t fewest = 20'000, most = 400'000;
+        return static_cast<std::size_t>(std::clamp(memory_bytes / 2048, fewest, most));
     }
 
     refine::Verdict ask_of(const Sides& both, const Decl& assertion, refine::Model in, const refine::Limits& limits,
@@ -354,23 +445,23 @@ struct Session::Impl {
             case AssertionKind::deterministic:
                 return refine::deterministic(first, in, limits, earlier);
             case AssertionKind::has_trace: {
-                const Ready trace = ready(assertion.assertion.implementation, &assertion);
-                return refine::has_trace(first, evaluator.trace(*trace.code, *trace.unit), in, limits);
+                const LoadedScript::Ready trace = loaded.ready(assertion.assertion.implementation, &assertion);
+                return refine::has_trace(first, loaded.evaluator.trace(*trace.code, *trace.unit), in, limits);
             }
         }
         throw EvaluationError("an assertion of no kind", assertion.span, {});
     }
 
     Script script;
-    Program program;
-    ValueStore store;
-    process::EventTable events;
-    process::TermStore terms;
+    bool whole_states;
+    bool observed = false;  ///< each call is to be reported once, so nothing is evaluated again
+    Packing packing;
+    std::size_t terms_made = 0;                         ///< by searches
+    std::shared_ptr<PackedProcesses> packed_processes;  ///< null until a process is packed
+    std::optional<process::EventSet> all_events;        ///< of the script, where rows are the same in every run
     machine::MachineCompressor compressor;
-    process::OperationalSemantics semantics;
+    LoadedScript loaded;
     machine::Compiler compiler;
-    Resolver resolver;
-    Evaluator evaluator;
     Memory memory;
     std::unique_ptr<Impl> whole;  ///< the same script with all arguments kept; null until it is needed to display a run
 };
@@ -390,7 +481,13 @@ std::vector<DeclPtr> Session::assertions() const {
 }
 
 void Session::observe(CallObserver observer) {
-    impl_->evaluator.observe(std::move(observer));
+    impl_->observed = true;
+    impl_->loaded.evaluator.observe(std::move(observer));
+}
+
+void Session::pack(const Packing& packing) {
+    impl_->packing = packing;
+    impl_->packed_processes.reset();
 }
 
 void Session::remember(diagnostics::Cache& cache, std::uint64_t fewest_states) {
@@ -403,7 +500,8 @@ AssertionResult Session::check(const Decl& assertion, const refine::Limits& limi
     result.span = assertion.span;
     result.negated = assertion.assertion.negated;
     try {
-        result.verdict = impl_->evaluated_at(assertion.span, [&] { return impl_->decide(assertion, limits, result); });
+        result.verdict =
+            impl_->loaded.evaluated_at(assertion.span, [&] { return impl_->decide(assertion, limits, result); });
     } catch (const process::Interrupted& stopped) {
         result.verdict = {};
         result.verdict.reason = stopped.what() + impl_->stage_reached();
@@ -425,7 +523,7 @@ std::optional<process::Behaviour> Session::behaviour(const refine::Counterexampl
     append(counterexample.steps, counterexample.terms);
     append(counterexample.loop, counterexample.loop_terms);
     try {
-        return process::behaviour(impl_->semantics, counterexample.terms.front(), run, offers);
+        return process::behaviour(impl_->loaded.semantics, counterexample.terms.front(), run, offers);
     } catch (const EvaluationError&) {
         // Terms inside a compression may be visited that the search has not evaluated; the verdict is given without
         // them.
@@ -435,43 +533,44 @@ std::optional<process::Behaviour> Session::behaviour(const refine::Counterexampl
 }
 
 std::vector<process::Transition> Session::transitions(process::TermId term) {
-    return impl_->evaluated_at({}, [&] {
-        const auto found = impl_->semantics.successors(term);
+    return impl_->loaded.evaluated_at({}, [&] {
+        const auto found = impl_->loaded.semantics.successors(term);
         return std::vector<process::Transition>(found.begin(), found.end());
     });
 }
 
 std::vector<process::Move> Session::moves(process::TermId term, const process::Transition& step) {
-    return impl_->evaluated_at({}, [&] { return process::moves(impl_->semantics, term, step); });
+    return impl_->loaded.evaluated_at({}, [&] { return process::moves(impl_->loaded.semantics, term, step); });
 }
 
 process::TermId Session::process(const ExprPtr& expr) {
-    const Impl::Ready ready = impl_->ready(expr);
-    return impl_->evaluated_at(expr->span, [&] { return impl_->evaluator.process(*ready.code, *ready.unit); });
+    const LoadedScript::Ready ready = impl_->loaded.ready(expr);
+    return impl_->loaded.evaluated_at(expr->span,
+                                      [&] { return impl_->loaded.evaluator.process(*ready.code, *ready.unit); });
 }
 
 std::unique_ptr<lts::TransitionSystem> Session::system(const ExprPtr& expr) {
-    return impl_->evaluated_at(expr->span, [&] { return impl_->system(process(expr), expr->span, {}); });
+    return impl_->loaded.evaluated_at(expr->span, [&] { return impl_->system(process(expr), expr->span, {}); });
 }
 
 std::unique_ptr<lts::TransitionSystem> Session::system(const ExprPtr& expr, const refine::Limits& limits) {
     refine::Budget budget(limits, refine::Progress::Phase::compiling);
     budget.report_by([this](refine::Progress& progress) { impl_->tell_stage(progress); });
     const Impl::Polling polling(*impl_, budget);
-    return impl_->evaluated_at(
+    return impl_->loaded.evaluated_at(
         expr->span, [&] { return impl_->system(process(expr), expr->span, impl_->polling_within(budget, limits)); });
 }
 
 std::unique_ptr<lts::TransitionSystem> Session::whole_system(const ExprPtr& expr, const refine::Limits& limits) {
     refine::Budget budget(limits, refine::Progress::Phase::compiling);
     const Impl::Polling polling(*impl_, budget);
-    return impl_->evaluated_at(
+    return impl_->loaded.evaluated_at(
         expr->span, [&] { return impl_->whole_system(process(expr), expr->span, [&budget] { budget.charge(); }); });
 }
 
 process::EventSet Session::events(const ExprPtr& expr) {
-    const Impl::Ready ready = impl_->ready(expr);
-    return impl_->evaluator.event_set(*ready.code, *ready.unit);
+    const LoadedScript::Ready ready = impl_->loaded.ready(expr);
+    return impl_->loaded.evaluator.event_set(*ready.code, *ready.unit);
 }
 
 std::optional<process::Behaviour> Session::behaviour_with_values(const Decl& assertion,
@@ -512,15 +611,15 @@ std::string Session::evaluate(const ExprPtr& expr, const refine::Limits& limits)
 }
 
 std::string Session::evaluate(const ExprPtr& expr) {
-    const Impl::Ready ready = impl_->ready(expr);
-    return impl_->evaluator.print(*ready.code, *ready.unit);
+    const LoadedScript::Ready ready = impl_->loaded.ready(expr);
+    return impl_->loaded.evaluator.print(*ready.code, *ready.unit);
 }
 
 process::EventTable& Session::event_table() {
-    return impl_->events;
+    return impl_->loaded.events;
 }
 process::TermStore& Session::terms() {
-    return impl_->terms;
+    return impl_->loaded.terms;
 }
 
 }  // namespace robochart::cspm

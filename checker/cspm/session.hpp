@@ -29,6 +29,16 @@ struct AssertionResult {
     double compile_cpu_seconds = 0;  ///< processor time of all threads for this
 };
 
+/// When processes that stay terms are searched as packed states (docs/search.md). Answers do not depend on it.
+struct Packing {
+    /// From so many terms on that searches have made. None: 5,000, or more for long scripts, if steps are found without
+    /// terms (packed/direct_steps.hpp), and else 150,000.
+    std::optional<std::size_t> from_terms;
+    std::optional<std::size_t>
+        most_kept;             ///< values and terms that may be kept; 0: those of one state; none: by the memory
+    bool terms_alone = false;  ///< no steps are found without terms
+};
+
 /// One loaded script with its events, terms and definitions. Not thread-safe.
 class Session {
 public:
@@ -48,6 +58,9 @@ public:
     /// Uses answers of earlier runs from this cache, and stores those of this run whose search had at least this many
     /// states; repeating a smaller search is faster than a look-up. The cache must outlive the session.
     void remember(diagnostics::Cache& cache, std::uint64_t fewest_states = 1000);
+
+    /// Sets when processes are packed; call it before the first check.
+    void pack(const Packing& packing);
 
     /// Reports calls of these functions while processes are evaluated. Each state's calls are reported once, for the
     /// first assertion that evaluates it, so this must be called before the first check.

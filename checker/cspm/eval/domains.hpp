@@ -60,6 +60,8 @@ public:
     Value productions(Value value);
     Value product_of(const Values& sets, Kind kind, Span span);
     Value subtype_set(const Global& global);
+    /// How many events the channels have; largest_size if more, or no end of them.
+    std::uint64_t number_of_events();
     Value all_events();
     process::Event event(Value value, Span span);
     const process::EventSet& event_set(Value set, Span span);
@@ -84,6 +86,7 @@ private:
     Work& work_;
     ValueText text_;
     Evaluate evaluate_;
+    std::vector<Value> head_values_;  ///< by head
     std::unordered_map<Value, process::Event> event_index_;
     std::unordered_map<process::Event, Value> event_values_;  ///< the value of an event, found by its name
     std::unordered_map<Value, process::EventSet> event_sets_;

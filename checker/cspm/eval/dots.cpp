@@ -21,7 +21,11 @@ int head_of(Value value) {
 }  // namespace
 
 Value Domains::head_value(int head) {
-    return store_.dot({store_.make(Kind::head, head, {})});
+    const auto at = static_cast<std::size_t>(head);
+    if (at >= head_values_.size()) head_values_.resize(program_.heads.size(), nullptr);
+    Value& known = head_values_[at];
+    if (known == nullptr) known = store_.dot({store_.make(Kind::head, head, {})});
+    return known;
 }
 
 // The sets of a head's fields, evaluated on first use.
@@ -285,6 +289,20 @@ Value Domains::subtype_set(const Global& global) {
 }
 
 // ---------------------------------------------------------------- events
+
+std::uint64_t Domains::number_of_events() {
+    std::uint64_t all = 0;
+    for (std::size_t i = 0; i < program_.heads.size(); ++i) {
+        if (!program_.heads[i].channel) continue;
+        std::uint64_t events = 1;
+        for (const Value field : fields_of(static_cast<int>(i))) {
+            const std::uint64_t size = size_of(field, program_.heads[i].span).value_or(largest_size);
+            if (__builtin_mul_overflow(events, size, &events)) return largest_size;
+        }
+        if (__builtin_add_overflow(all, events, &all)) return largest_size;
+    }
+    return std::min(all, largest_size);
+}
 
 Value Domains::all_events() {
     if (all_events_ != nullptr) return all_events_;

@@ -67,6 +67,15 @@ process::EventSet Evaluator::event_set(const Code& code, const Unit& unit) {
     return result;
 }
 
+std::optional<process::EventSet> Evaluator::all_events(std::uint64_t most) {
+    std::optional<process::EventSet> result;
+    on_deep_stack([&] {
+        const Work::Question question(work_);
+        if (domains_.number_of_events() <= most) result = domains_.event_set(domains_.all_events(), {});
+    });
+    return result;
+}
+
 std::vector<process::Event> Evaluator::trace(const Code& code, const Unit& unit) {
     std::vector<process::Event> result;
     on_deep_stack([&] {

@@ -56,9 +56,23 @@ public:
     [[nodiscard]] std::string print(const Code& code, const Unit& unit);
     [[nodiscard]] process::TermId process(const Code& code, const Unit& unit);
     [[nodiscard]] process::EventSet event_set(const Code& code, const Unit& unit);
+    /// All events of the script's channels; none if there are more than `most`.
+    [[nodiscard]] std::optional<process::EventSet> all_events(std::uint64_t most);
     [[nodiscard]] std::vector<process::Event> trace(const Code& code, const Unit& unit);
     /// `term` with events prioritised as by `:[tau priority]`.
     [[nodiscard]] process::TermId tau_priority(process::TermId term, process::EventSet over);
+
+    /// For whoever evaluates processes in another way (checker/cspm/packed).
+    struct Parts {
+        Program& program;
+        ValueStore& store;
+        process::TermStore& terms;
+        Work& work;
+        Domains& domains;
+        ProcessTerms& processes;
+        ProcessEvaluator& process_evaluator;
+    };
+    [[nodiscard]] Parts parts() { return {program_, store_, terms_, work_, domains_, processes_, *process_evaluator_}; }
 
     // The functions that ProcessEvaluator needs (process_evaluator.hpp); values of variables by slot.
     using Frame = Values;

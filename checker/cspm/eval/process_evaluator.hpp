@@ -38,6 +38,7 @@ public:
     }
 
     process::TermId process(const Code& code, Values& frame);
+    process::SetId set_id(const Code& code, Values& frame);
 
     process::TermId unfold(std::uint32_t call) override;
     std::vector<process::Branch> branches(std::uint32_t prefix) override;
@@ -56,7 +57,6 @@ private:
     process::TermId process_replicated_linked(const Code& code, Frame& frame);
     std::vector<process::EventPair> ties(const Code& code, const std::vector<ClauseCode>& clauses, Frame& frame);
     void collect(const Code& code, ExprKind kind, Frame& frame, std::vector<process::TermId>& out);
-    process::SetId set_id(const Code& code, Frame& frame);
     std::int64_t duration(TimedSection& timed, Value event, Span span);
 
     // prefixes.cpp

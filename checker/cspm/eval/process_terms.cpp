@@ -53,7 +53,7 @@ TermId ProcessTerms::call(Value function, const Values& arguments) {
     key.insert(key.end(), arguments.begin(), arguments.end());
     if (const Function* definition = function->function; definition != nullptr)
         for (std::size_t i = 0; i < definition->unread.size(); ++i)
-            if (definition->unread[i]) key[i + 1] = store_.character('_');
+            if (definition->unread[i]) key[i + 1] = store_.character(unread_character);
     const Value tuple = store_.make(Kind::tuple, 1, std::move(key));
     const auto [place, fresh] = call_index_.emplace(tuple, static_cast<std::uint32_t>(calls_.size()));
     if (fresh) calls_.push_back(tuple);

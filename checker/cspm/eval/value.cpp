@@ -107,14 +107,23 @@ Value ValueStore::set(Values items) {
     return sorted_set(std::move(items));
 }
 
+void ValueStore::note_processes(Object& object) {
+    object.made = object.kind == Kind::process || object.kind == Kind::stream ||
+                  std::ranges::any_of(object.items, [](Value item) { return item->made; });
+    const bool ordered = object.kind == Kind::set || object.kind == Kind::united;
+    const std::size_t alone = object.kind == Kind::map ? 2 : 1;
+    if (object.made && (ordered || object.kind == Kind::map) && object.items.size() > alone) orders_processes_ = true;
+}
+
 Value ValueStore::make(Kind kind, std::int64_t number, Values items, const Function* function, const Group* group) {
     // A dot without a channel or constructor is a type, A.B: its sets keep their form.
     const bool named = kind == Kind::dot && !items.empty() && items[0]->kind == Kind::head;
     if (named || kind == Kind::tuple || kind == Kind::sequence || kind == Kind::map)
         for (Value& item : items) item = part(item);
-    Object key{kind, true, static_cast<std::uint32_t>(index_.size()), number, function, group, std::move(items)};
+    Object key{kind, true, false, static_cast<std::uint32_t>(index_.size()), number, function, group, std::move(items)};
     const auto found = index_.find(&key);
     if (found != index_.end()) return *found;
+    note_processes(key);
     objects_.push_back(std::move(key));
     index_.insert(&objects_.back());
     return &objects_.back();
@@ -129,6 +138,7 @@ const GroupObject* ValueStore::shared_group(const Group& group, Values items, st
     key.items = std::move(items);
     const auto found = index_.find(&key);
     if (found != index_.end()) return static_cast<const GroupObject*>(*found);
+    note_processes(key);
     key.known.resize(members, nullptr);
     key.running.resize(members, false);
     groups_.push_back(std::move(key));
@@ -137,7 +147,7 @@ const GroupObject* ValueStore::shared_group(const Group& group, Values items, st
 }
 
 Value ValueStore::closure(const Function& function, Values items) {
-    temporary_objects_.push_back({Kind::function, false, 0, 0, &function, nullptr, std::move(items)});
+    temporary_objects_.push_back({Kind::function, false, false, 0, 0, &function, nullptr, std::move(items)});
     return &temporary_objects_.back();
 }
 
@@ -150,7 +160,7 @@ Value ValueStore::compound(Kind kind, std::int64_t number, Values items) {
         shared = shared && item->shared;
     }
     if (shared) return make(kind, number, std::move(items));
-    temporary_objects_.push_back({kind, false, 0, number, nullptr, nullptr, std::move(items)});
+    temporary_objects_.push_back({kind, false, false, 0, number, nullptr, nullptr, std::move(items)});
     return &temporary_objects_.back();
 }
 

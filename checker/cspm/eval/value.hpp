@@ -48,6 +48,7 @@ enum class Kind : std::uint8_t {
 struct Object {
     Kind kind = Kind::integer;
     bool shared = false;  ///< hash-consed: contains only shared objects, lives as long as the store
+    bool made = false;    ///< shared objects: its place in a set depends on when a process in it was made
     std::uint32_t id = 0;
     std::int64_t number = 0;
     const Function* function = nullptr;
@@ -118,6 +119,10 @@ public:
     [[nodiscard]] const GroupObject* shared_group(const Group& group, Values items, std::size_t members);
     /// Deletes all temporary objects; none may be in use.
     void release();
+    /// Whether the elements of a set are in an order in which processes were made.
+    [[nodiscard]] bool orders_processes() const { return orders_processes_; }
+    /// How many values are kept as long as the store.
+    [[nodiscard]] std::size_t size() const { return index_.size(); }
 
 private:
     struct Hash {
@@ -133,7 +138,10 @@ private:
     std::deque<Object> temporary_objects_;
     std::deque<GroupObject> temporary_groups_;
     std::deque<Thunk> thunks_;
+    void note_processes(Object& object);
+
     std::vector<Value> small_integers_;
+    bool orders_processes_ = false;
     std::function<void()> poll_;
     std::function<Value(Value)> listed_;
     Value true_ = nullptr;

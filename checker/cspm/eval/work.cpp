@@ -2,8 +2,6 @@
 // Counts steps, and adds the call stack to errors.
 #include "checker/cspm/eval/work.hpp"
 
-#include "checker/cspm/types/deep_stack.hpp"
-
 namespace robochart::cspm {
 
 void Work::fail(const std::string& message, Span span) const {
@@ -32,7 +30,7 @@ void Work::count(Span span) {
     if ((steps_ & 255U) == 0 && poll_) poll_();
     if (steps_ > given_up_at_) throw GivenUp{};
     const char* here = static_cast<const char*>(__builtin_frame_address(0));
-    if (static_cast<std::size_t>(stack_base_ - here) > deep_stack_bytes / 4 * 3) {
+    if (static_cast<std::size_t>(stack_base_ - here) > stack_bytes_) {
         fail("evaluation nests too deeply: runaway recursion?", span);
     }
 }

@@ -10,6 +10,7 @@
 #include "checker/cspm/eval/code.hpp"
 #include "checker/cspm/eval/evaluation_error.hpp"
 #include "checker/cspm/eval/value_text.hpp"
+#include "checker/cspm/types/deep_stack.hpp"
 
 namespace robochart::cspm {
 
@@ -24,6 +25,8 @@ class Work {
 public:
     /// Maximal number of steps for one query of the search.
     static constexpr std::uint64_t max_steps = 2'000'000'000;
+    /// What an evaluation may take of an ordinary stack.
+    static constexpr std::size_t small_stack_bytes = std::size_t{1} << 17U;
 
     Work(const Program& program, ValueStore& store) : text_(program), store_(store) {}
 
@@ -59,6 +62,7 @@ private:
     ValueStore& store_;
     std::vector<Activation> activations_;
     const char* stack_base_ = nullptr;
+    std::size_t stack_bytes_ = 0;  // from there
     std::uint64_t steps_ = 0;
     std::uint64_t promised_until_ = no_end;  // number of steps after which no more values are evaluated early...
     std::uint64_t given_up_at_ = no_end;     // ...and after which those in progress are given up
@@ -71,12 +75,16 @@ private:
 /// A query from outside. Temporary values are deleted when the outermost one has been answered.
 class Work::Question {
 public:
-    explicit Question(Work& work) : work_(work), base_(work.stack_base_), calls_(work.activations_.size()) {
+    /// `stack_bytes`: what may be taken of the stack, if the question is the outermost one.
+    explicit Question(Work& work, std::size_t stack_bytes = deep_stack_bytes / 4 * 3)
+        : work_(work), base_(work.stack_base_), calls_(work.activations_.size()) {
         if (work_.open_++ == 0) {
             work_.steps_ = 0;
             ++work_.question_;
         }
-        if (base_ == nullptr) work_.stack_base_ = static_cast<const char*>(__builtin_frame_address(0));
+        if (base_ != nullptr) return;
+        work_.stack_base_ = static_cast<const char*>(__builtin_frame_address(0));
+        work_.stack_bytes_ = stack_bytes;
     }
     ~Question() {
         work_.stack_base_ = base_;

@@ -30,8 +30,23 @@ assert ||| i : {0..7} @ ROUND(i, 0) :[deadlock free [F]]
 assert [| {last} |] i : {0..7} @ ONCE(i, 0) :[deadlock free [F]]
 )";
 
+/// Processes without components: 31^3 states, of which the last leads back; the same without that, after 90 steps; and
+/// sequences of up to 12 elements, which need wider rows than the first states.
+constexpr const char* sequential = R"(
+channel a : {0..2}
+ROUND(x, y, z) = UP(x, y, z) [] x + y + z == 90 & a.0 -> ROUND(0, 0, 0)
+UP(x, y, z) = x < 30 & a.0 -> ROUND(x + 1, y, z) [] y < 30 & a.1 -> ROUND(x, y + 1, z) [] z < 30 & a.2 -> ROUND(x, y, z + 1)
+ONCE(x, y, z) = x < 30 & a.0 -> ONCE(x + 1, y, z) [] y < 30 & a.1 -> ONCE(x, y + 1, z) [] z < 30 & a.2 -> ONCE(x, y, z + 1)
+GROW(s) = #s < 12 & a?x:{0, 1} -> GROW(s ^ <x>) [] #s == 12 & a.2 -> GROW(<>)
+assert ROUND(0, 0, 0) :[deadlock free [F]]
+assert GROW(<>) :[deadlock free [F]]
+assert ONCE(0, 0, 0) :[deadlock free [F]]
+)";
+
 class Resumed : public ::testing::Test {
 protected:
+    explicit Resumed(const char* text = script) : folder_{{{"script.csp", text}}} {}
+
     /// Decides the script. `before` is a shell prefix that starts the command. The run resumes from a checkpoint in the
     /// folder, if there is one.
     Ran decide(const std::string& before, const std::string& options) const {
@@ -54,7 +69,7 @@ protected:
     [[nodiscard]] std::string uninterrupted() const {
         const Ran ran = run({"cspm", folder_ / "script.csp", "--no-reduction", "--format", "json", "--checkpoint",
                              folder_ / "uninterrupted"});
-        EXPECT_THAT(results(ran), HasSubstr("exit 1\n\"holds\" 65536 524288 24 []\n\"fails\" 65537 "));
+        EXPECT_THAT(results(ran), HasSubstr(expected_));
         return results(ran);
     }
 
@@ -74,10 +89,21 @@ protected:
         return false;
     }
 
-    Folder folder_{{{"script.csp", script}}};
+    void survive_kills();
+    void survive_a_full_disk();
+
+    Folder folder_;
+    std::string expected_ = "exit 1\n\"holds\" 65536 524288 24 []\n\"fails\" 65537 ";
 };
 
-TEST_F(Resumed, AfterKillsAtRandomMoments) {
+class ResumedSequential : public Resumed {
+protected:
+    ResumedSequential() : Resumed(sequential) {
+        expected_ = "exit 1\n\"holds\" 29791 86491 90 []\n\"holds\" 8191 12286 12 []\n\"fails\" 29791 86490 90 ";
+    }
+};
+
+void Resumed::survive_kills() {
     const std::string expected = uninterrupted();
     const unsigned seed = std::random_device()();
     SCOPED_TRACE(fmt::format("seed {}", seed));
@@ -103,7 +129,7 @@ TEST_F(Resumed, AfterKillsAtRandomMoments) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "kept")) << "all is decided";
 }
 
-TEST_F(Resumed, AfterAFullDisk) {
+void Resumed::survive_a_full_disk() {
     const std::string expected = uninterrupted();
     const std::string disk = "--disk " + folder_.path("kept");
     for (const std::string& options : {std::string(), disk}) {
@@ -116,6 +142,31 @@ TEST_F(Resumed, AfterAFullDisk) {
         EXPECT_EQ(results(again), expected);
         EXPECT_THAT(again.err, Not(HasSubstr("begins anew")));
     }
+}
+
+TEST_F(Resumed, AfterKillsAtRandomMoments) {
+    survive_kills();
+}
+TEST_F(Resumed, AfterAFullDisk) {
+    survive_a_full_disk();
+}
+TEST_F(ResumedSequential, AfterKillsAtRandomMoments) {
+    survive_kills();
+}
+TEST_F(ResumedSequential, AfterAFullDisk) {
+    survive_a_full_disk();
+}
+
+// In each round the process is renamed once more, so states have renamings that it does not have at its start.
+TEST_F(ResumedSequential, PartsThatAppearLaterAreSearchedWithoutCheckpoints) {
+    const Folder folder{{{"s.csp", R"(
+channel a, b : {0..3}
+P(n) = a.n -> (if n < 3 then P(n + 1)[[a.n <- b.n]] else STOP)
+assert P(0) :[deadlock free [F]]
+)"}}};
+    const Ran ran = run({"cspm", folder / "s.csp", "--checkpoint", folder / "kept"});
+    EXPECT_EQ(ran.exit, 1) << ran.err;
+    EXPECT_THAT(ran.err, HasSubstr("nothing is kept of the search"));
 }
 
 }  // namespace

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers as bytes: seven bits a byte, the lowest first, the last byte without its highest bit.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace robochart::cspm {
+
+using Bytes = std::vector<std::uint8_t>;
+
+inline void put_number(std::uint64_t number, Bytes& out) {
+    while (number >= 0x80U) {
+        out.push_back(static_cast<std::uint8_t>(number | 0x80U));
+        number >>= 7U;
+    }
+    out.push_back(static_cast<std::uint8_t>(number));
+}
+
+/// Small numbers of either sign are short.
+inline void put_signed(std::int64_t number, Bytes& out) {
+    const auto bits = static_cast<std::uint64_t>(number);
+    put_number((bits << 1U) ^ (number < 0 ? ~std::uint64_t{0} : 0), out);
+}
+
+/// Reads what was written; bytes after it may follow.
+class ByteReader {
+public:
+    explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+    [[nodiscard]] std::uint8_t byte() { return bytes_[at_++]; }
+    [[nodiscard]] std::uint8_t peek() const { return bytes_[at_]; }
+    [[nodiscard]] std::uint64_t number() {
+        std::uint64_t result = 0;
+        for (unsigned shift = 0;; shift += 7) {
+            const std::uint8_t next = byte();
+            result |= std::uint64_t{next & 0x7FU} << shift;
+            if (next < 0x80U) return result;
+        }
+    }
+    [[nodiscard]] std::int64_t signed_number() {
+        const std::uint64_t bits = number();
+        return static_cast<std::int64_t>((bits >> 1U) ^ (~(bits & 1U) + 1U));
+    }
+    [[nodiscard]] std::size_t at() const { return at_; }
+    [[nodiscard]] std::span<const std::uint8_t> from(std::size_t begin) const {
+        return bytes_.subspan(begin, at_ - begin);
+    }
+
+private:
+    std::span<const std::uint8_t> bytes_;
+    std::size_t at_ = 0;
+};
+
+}  // namespace robochart::cspm

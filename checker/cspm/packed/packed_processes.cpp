@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "checker/cspm/packed/packed_processes.hpp"
+
+#include <algorithm>
+
+#include "checker/cspm/packed/not_packed.hpp"
+#include "checker/cspm/syntax/lookup.hpp"
+
+namespace robochart::cspm {
+
+namespace {
+
+/// The script knows the scopes of its own assertions by their places in memory.
+DeclPtr kept_assertion(const Script& script, const Decl& assertion) {
+    for (const DeclPtr& each : assertions_in(script.decls))
+        if (each.get() == &assertion) return each;
+    return std::make_shared<const Decl>(assertion);
+}
+
+}  // namespace
+
+/// A compression cannot be forgotten and made again for each of its states.
+class PackedProcesses::NoCompressor final : public process::Compressor {
+public:
+    std::optional<process::Machine> explore(process::TermId /*operand*/, process::Compression /*kind*/,
+                                            const std::function<void()>& /*poll*/) override {
+        throw NotPacked{"a compression is a part of the process"};
+    }
+    process::Machine compress(const process::Machine& /*explored*/, process::Compression /*kind*/,
+                              const std::function<void()>& /*poll*/) override {
+        throw NotPacked{"a compression is a part of the process"};
+    }
+};
+
+/// While this lives the script may make events; before and after, the search has the same ones, with the same numbers.
+class PackedProcesses::SameEvents {
+public:
+    SameEvents(process::EventTable& search, process::EventTable& script) : search_(search), script_(script) {
+        copy(search_, script_);
+    }
+    ~SameEvents() { copy(script_, search_); }
+    SameEvents(const SameEvents&) = delete;
+    SameEvents& operator=(const SameEvents&) = delete;
+
+private:
+    static void copy(const process::EventTable& from, process::EventTable& to) {
+        for (std::size_t event = to.size(); event < from.size(); ++event)
+            to.intern(from.name(static_cast<process::Event>(event)));
+    }
+
+    process::EventTable& search_;
+    process::EventTable& script_;
+};
+
+PackedProcesses::PackedProcesses(Script script, process::EventTable& events, const Settings& settings)
+    : script_(std::move(script)),
+      events_(events),
+      settings_(settings),
+      no_compressor_(std::make_unique<NoCompressor>()) {
+    load();
+}
+
+PackedProcesses::~PackedProcesses() = default;
+
+std::size_t PackedProcesses::add(const ExprPtr& expr, const Decl& assertion) {
+    load_if_needed();
+    asked_.push_back({expr, kept_assertion(script_, assertion)});
+    sides_.push_back(loaded_->side(expr, assertion));
+    make_codec();
+    return asked_.size() - 1;
+}
+
+// The sides are made ready in the same order each time.
+void PackedProcesses::load() {
+    direct_.reset();
+    codec_.reset();
+    loaded_ = std::make_unique<LoadedScript>(script_, no_compressor_.get(), nullptr, settings_.whole_states);
+    watch(poll_);
+    sides_.clear();
+    for (const Asked& asked : asked_) sides_.push_back(loaded_->side(asked.expr, *asked.assertion));
+    parts_.use(loaded_->terms);
+    make_codec();
+    kept_at_start_ = 0;
+    ++loads_;
+}
+
+/// It knows the definitions that there are by now.
+void PackedProcesses::make_codec() {
+    const Evaluator::Parts parts = loaded_->evaluator.parts();
+    codec_ = std::make_unique<TermCodec>(parts.program, parts.store, parts.terms, parts.processes, parts_);
+    direct_ = std::make_unique<DirectSteps>(loaded_->evaluator, *codec_, parts_);
+}
+
+std::size_t PackedProcesses::kept() const {
+    return loaded_->store.size() + loaded_->terms.size();
+}
+
+/// What the first state needs, the constants of the script most of all, is needed again.
+void PackedProcesses::forget() {
+    const std::size_t now = kept();
+    if (kept_at_start_ == 0) kept_at_start_ = now;
+    if (now < 2 * kept_at_start_ + settings_.most_kept && !settings_.forget_each_state) return;
+    direct_.reset();
+    codec_.reset();
+    loaded_.reset();
+}
+
+/// Loading may have been stopped by a limit.
+void PackedProcesses::load_if_needed() {
+    if (direct_ == nullptr) load();
+}
+
+Bytes PackedProcesses::initial(std::size_t side) {
+    load_if_needed();
+    const SameEvents same(events_, loaded_->events);
+    Bytes bytes;
+    codec_->write(loaded_->term_of(sides_.at(side)), bytes);
+    refuse_sets_of_processes();
+    return bytes;
+}
+
+// Breadth first, as a search has looked at them that has found the process large.
+bool PackedProcesses::is_direct(std::size_t side) {
+    constexpr std::size_t enough = 64;
+    std::vector<Bytes> rows{initial(side)};
+    const SameEvents same(events_, loaded_->events);
+    PackedSteps found;
+    for (std::size_t i = 0; i < rows.size() && i < enough; ++i) {
+        if (!direct_->find(rows[i], found)) return false;
+        for (const PackedSteps::Step& step : found.steps) {
+            const auto target = found.target(step);
+            rows.emplace_back(target.begin(), target.end());
+            if (std::find(rows.begin(), rows.end() - 1, rows.back()) != rows.end() - 1) rows.pop_back();
+            if (rows.size() > enough) break;
+        }
+    }
+    return true;
+}
+
+void PackedProcesses::steps(std::span<const std::uint8_t> state, Span span, PackedSteps& out) {
+    if (direct_ != nullptr) forget();
+    load_if_needed();
+    const SameEvents same(events_, loaded_->events);
+    if (!settings_.terms_alone && direct_->find(state, out))
+        ++direct_answers_;
+    else
+        loaded_->evaluated_at(span, [&] { steps_of_term(state, out); });
+    refuse_sets_of_processes();
+}
+
+void PackedProcesses::refuse_sets_of_processes() const {
+    if (loaded_->store.orders_processes()) throw NotPacked{"a set has processes as elements"};
+}
+
+void PackedProcesses::steps_of_term(std::span<const std::uint8_t> state, PackedSteps& out) {
+    out.clear();
+    ByteReader in(state);
+    for (const process::Transition& step : loaded_->semantics.successors(codec_->read(in))) {
+        const std::size_t begin = out.bytes.size();
+        codec_->write(step.target, out.bytes);
+        out.add(step.event, step.revealed, begin);
+    }
+}
+
+std::string PackedProcesses::describe(std::span<const std::uint8_t> state) {
+    load_if_needed();
+    const SameEvents same(events_, loaded_->events);
+    ByteReader in(state);
+    return process::describe(loaded_->terms, codec_->read(in));
+}
+
+void PackedProcesses::watch(std::function<void()> poll) {
+    poll_ = std::move(poll);
+    if (loaded_ == nullptr) return;
+    loaded_->evaluator.watch(poll_);
+    loaded_->semantics.watch(poll_);
+}
+
+}  // namespace robochart::cspm
