@@ -134,7 +134,7 @@ std::vector<Field> common_fields(const Generation& generation) {
                                      ? fmt::format("robochart::Buffer<{}>", cpp_type(generation.system, *buffer.type))
                                      : std::string("robochart::Flag");
         fields.push_back({type, buffer.field, "{}", "connection of " + buffer.name, extent.size + extent.alignment,
-                          extent.alignment});
+                          extent.alignment, extent.varies});
     }
     for (const StoredVariable& variable : generation.component.variables)
         for (const PropagationHolder& holder : variable.holders)
@@ -148,7 +148,7 @@ std::vector<Field> common_fields(const Generation& generation) {
         const Extent extent = cpp_extent(generation.system, generation.inst, stored.variable->type);
         fields.push_back({cpp_type(generation.system, stored.variable->type), stored.field,
                           cpp_value(generation.system, generation.inst, stored.variable->type, stored.initial),
-                          generation.place(stored.variable->origin), extent.size, extent.alignment});
+                          generation.place(stored.variable->origin), extent.size, extent.alignment, extent.varies});
     }
     return fields;
 }
@@ -158,7 +158,7 @@ FrameLayout composed_layout(const Generation& generation, const Core& core, std:
     for (const Part& part : generation.component.parts) {
         const FrameLayout& inner = core.machines[part.root].layout;
         more.push_back({generation.component.units[part.root].frame + "<Types>", part.tag, "", part.name, inner.size,
-                        inner.alignment});
+                        inner.alignment, inner.varies});
         timed = timed || inner.timed;
     }
     return arrange(std::move(more), timed);

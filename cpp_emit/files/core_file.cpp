@@ -98,8 +98,8 @@ void write_value_struct(const Generation& generation, CodeWriter& out, const ir:
     std::vector<Field> fields;
     for (const TypeMember& member : members(type)) {
         const Extent extent = cpp_extent(generation.system, generation.inst, member.type);
-        fields.push_back(
-            {cpp_type(generation.system, member.type), member.name, "", "", extent.size, extent.alignment});
+        fields.push_back({cpp_type(generation.system, member.type), member.name, "", "", extent.size, extent.alignment,
+                          extent.varies});
     }
     const bool tagged = type.kind == ir::TypeKind::enumeration;
     if (tagged) fields.push_back({"Kind", "kind", "Kind::" + literal_name(type, 0), "", 1, 1});
@@ -395,7 +395,7 @@ std::vector<Field> kept_fields(const Generation& generation, const Core& core) {
         if (!event->type) continue;
         const Extent extent = cpp_extent(generation.system, generation.inst, *event->type);
         fields.push_back({cpp_type(generation.system, *event->type), "kept_value_" + event->input, "", "", extent.size,
-                          extent.alignment});
+                          extent.alignment, extent.varies});
     }
     return fields;
 }

@@ -28,7 +28,7 @@ std::vector<Field> FrameCode::variable_fields() const {
         const Extent extent = cpp_extent(generation_.system, generation_.inst, variable.type);
         fields.push_back({cpp_type(generation_.system, variable.type), name,
                           cpp_value(generation_.system, generation_.inst, variable.type, initial),
-                          generation_.place(variable.origin), extent.size, extent.alignment});
+                          generation_.place(variable.origin), extent.size, extent.alignment, extent.varies});
     };
     const std::size_t home = generation_.component.composed() ? unit_.part : no_part;
     for (const auto& stored : generation_.component.variables)
@@ -47,7 +47,7 @@ void FrameCode::thread_field(std::vector<Field>& fields, const Thread& thread, c
     for (const CallFrame& call : thread.calls) {
         const FrameLayout& inner = context_.done.at(call.operation);
         fields.push_back({generation_.component.unit(call.operation).frame + "<Types>", call.field, "", "", inner.size,
-                          inner.alignment});
+                          inner.alignment, inner.varies});
     }
 }
 

@@ -7,6 +7,18 @@
 
 namespace robochart::cpp_emit {
 
+namespace {
+
+/// The filler's size as C++, for members whose sizes are known when the code is compiled. There are no empty arrays, so
+/// it is never zero.
+std::string filler_text(const FrameLayout& layout) {
+    std::string sum;
+    for (const Field& field : layout.fields) sum += (sum.empty() ? "sizeof(" : " + sizeof(") + field.type + ")";
+    return fmt::format("{} - ({}) % {}", layout.alignment, sum, layout.alignment);
+}
+
+}  // namespace
+
 FrameLayout arrange(std::vector<Field> fields, bool timed) {
     std::stable_sort(fields.begin(), fields.end(),
                      [](const Field& a, const Field& b) { return a.alignment > b.alignment; });
@@ -15,14 +27,17 @@ FrameLayout arrange(std::vector<Field> fields, bool timed) {
     for (const Field& field : fields) {
         layout.size += field.size;
         layout.alignment = std::max(layout.alignment, field.alignment);
-    }
-    if (const std::size_t rest = layout.size % layout.alignment; rest != 0) {
-        const std::size_t filler = layout.alignment - rest;
-        fields.push_back(
-            {"std::uint8_t", fmt::format("filler[{}]", filler), "{}", "keeps the bytes canonical", filler, 1});
-        layout.size += filler;
+        layout.varies = layout.varies || field.varies;
     }
     layout.fields = std::move(fields);
+    const std::size_t rest = layout.size % layout.alignment;
+    const bool at_compile_time = layout.varies && layout.alignment > 1;
+    if (rest == 0 && !at_compile_time) return layout;
+    const std::size_t filler = layout.alignment - rest;
+    const std::string text = at_compile_time ? filler_text(layout) : std::to_string(filler);
+    layout.fields.push_back(
+        {"std::uint8_t", fmt::format("filler[{}]", text), "{}", "keeps the bytes canonical", filler, 1});
+    layout.size += filler;
     return layout;
 }
 

@@ -33,12 +33,14 @@ struct Field {
     diagnostics::ForeignText comment;
     std::size_t size = 1;
     std::size_t alignment = 1;
+    bool varies = false;  ///< see Extent
 };
 
 struct FrameLayout {
     std::vector<Field> fields;  ///< sorted, including filler
     std::size_t size = 0;
     std::size_t alignment = 1;
+    bool varies = false;  ///< see Extent
     bool timed = false;   ///< some member changes with time
     bool prompt = false;  ///< its threads, or those of operations in it, have prompt steps
     bool holds = false;   ///< its threads, or those of operations in it, may hold up propagation to the machine

@@ -185,8 +185,9 @@ std::string cpp_pair(const ir::System& system, const ir::Type& type, const Spell
 
 namespace {
 
-Extent padded(std::size_t size, std::size_t alignment) {
-    return {(size + alignment - 1) / alignment * alignment, alignment};
+Extent padded(Extent extent) {
+    extent.size = (extent.size + extent.alignment - 1) / extent.alignment * extent.alignment;
+    return extent;
 }
 
 }  // namespace
@@ -203,11 +204,12 @@ std::size_t entries(const ir::Type& type) {
 Extent pair_extent(const ir::System& system, const ir::Instantiation& inst, const ir::Type& type) {
     const Extent first = cpp_extent(system, inst, type.args.at(0));
     const Extent second = cpp_extent(system, inst, type.args.at(1));
-    if (first.alignment == second.alignment) return {first.size + second.size, first.alignment};
+    const bool varies = first.varies || second.varies;
+    if (first.alignment == second.alignment) return {first.size + second.size, first.alignment, varies};
     const bool wider = first.alignment > second.alignment;
     const std::size_t alignment = wider ? first.alignment : second.alignment;
     const std::size_t narrow = wider ? second.size : first.size;
-    return {first.size + second.size + alignment - narrow % alignment, alignment};
+    return {first.size + second.size + alignment - narrow % alignment, alignment, varies};
 }
 
 }  // namespace
@@ -226,18 +228,19 @@ Extent cpp_extent(const ir::System& system, const ir::Instantiation& inst, ir::T
     if (!is_struct(type)) {
         const Extent part =
             of_pairs(type) ? pair_extent(system, inst, type) : cpp_extent(system, inst, type.args.at(0));
-        if (block(type)) return {part.size * entries(type), part.alignment};
+        if (block(type)) return {part.size * entries(type), part.alignment, part.varies};
         const std::size_t places =
             type.kind == TypeKind::sequence ? longest(inst) : std::min(capacity(system, inst, type), largest_set);
-        return {part.size * places + part.alignment, part.alignment};
+        return {part.size * places + part.alignment, part.alignment, true};
     }
-    Extent whole{type.kind == TypeKind::enumeration ? 1U : 0U, 1};
+    Extent whole{type.kind == TypeKind::enumeration ? 1U : 0U};
     for (const TypeMember& member : members(type)) {
         const Extent part = cpp_extent(system, inst, member.type);
         whole.size += part.size;
         whole.alignment = std::max(whole.alignment, part.alignment);
+        whole.varies = whole.varies || part.varies;
     }
-    return padded(whole.size, whole.alignment);
+    return padded(whole);
 }
 
 std::string decimal_text(ir::Decimal decimal) {

@@ -27,6 +27,7 @@ struct TypeMember {
 struct Extent {
     std::size_t size = 1;
     std::size_t alignment = 1;
+    bool varies = false;  ///< `size` is that over the instantiation's carriers; with other parameters it may be another
 };
 
 /// Whether code for values of the type can be generated.

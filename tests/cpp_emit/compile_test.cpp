@@ -108,6 +108,29 @@ TEST(Compile, OddMachines) {
     }
 }
 
+/// Sets have more places in deployed code than in code for `conform`. In both, the layout asserts that the state has no
+/// padding.
+TEST(Compile, StatesWhoseSizeDependsOnTheTypesHaveNoPadding) {
+    const ir::System system = testing::model(R"(
+type ID
+record Seen { ids : Set(ID) far : real }
+interface I { event hear : ID event tell : Seen }
+stm M { uses I clock C var n : nat, near : Set(ID), last : ID, seen : Seen, some : Seq(ID)
+    initial i state S { entry #C }
+    transition t0 { from i to S }
+    transition t1 { from S to S trigger hear?last condition since(C) > 2 action near = {last}; n = n + 1 }
+    transition t2 { from S to S trigger tell?seen action some = <last>; near = seen.ids } }
+controller K { uses I sref m = M connection K on hear to m on hear connection K on tell to m on tell }
+)");
+    for (const char* name : {"M", "K"}) {
+        Folder folder;
+        folder.write(testing::emit_ok(system, testing::component(system, name)));
+        folder.run(
+            "for f in *_layout.hpp *_explore.cpp; do echo \"#include \\\"$f\\\"\" |"
+            " c++ -std=c++17 -Wall -Wextra -Werror -I. -fsyntax-only -x c++ - || exit 1; done");
+    }
+}
+
 /// Operations and functions with a parameter that has the name of a class variable.
 TEST(Compile, ParametersMayBeCalledAsVariables) {
     const ir::System system = testing::model(
