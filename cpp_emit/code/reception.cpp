@@ -136,9 +136,21 @@ std::string received(const Generation& generation, const Unit& unit, const ir::C
     if (!communication.variable.valid()) return {};
     const ir::Type& type = generation.system.type(unit.machine->variables[communication.variable.index].type);
     const bool fields = type.kind == ir::TypeKind::record || type.kind == ir::TypeKind::product;
+    const std::string stored = as_variable(generation, unit, communication, value);
     if (fields && generation.mutation.hits(Fault::fields_lost))
-        return last_field(generation, unit, communication.variable, value, members(type).back().name);
-    return store(generation, unit, communication.variable, value);
+        return last_field(generation, unit, communication.variable, stored, members(type).back().name);
+    return store(generation, unit, communication.variable, stored);
+}
+
+std::string as_variable(const Generation& generation, const Unit& unit, const ir::Communication& communication,
+                        const std::string& value) {
+    const std::optional<ir::TypeId> carried = unit.machine->events[communication.event.index].type;
+    if (value.empty() || !carried || !communication.variable.valid()) return value;
+    const ir::TypeId wanted = unit.machine->variables[communication.variable.index].type;
+    const std::string type = cpp_type(generation.system, wanted);
+    if (type == cpp_type(generation.system, *carried)) return value;
+    if (numeric(generation.system.type(wanted).kind)) return fmt::format("{}({})", type, value);
+    return fmt::format("robochart::convert<{}>({})", type, value);
 }
 
 std::string default_text(const Generation& generation, ir::TypeId type) {
@@ -155,7 +167,7 @@ CppExpr predicate(const Generation& generation, const Unit& unit, const ir::Comm
                   const std::string& incoming) {
     if (!communication.predicate) return {};
     ExpressionWriter expressions(generation, unit);
-    expressions.set_incoming(incoming);
+    expressions.set_incoming(as_variable(generation, unit, communication, incoming));
     return expressions.expression_asked(*communication.predicate).enclosed();
 }
 

@@ -28,6 +28,9 @@ bool receive(const Generation&, const Unit&, const ir::Communication&, CodeWrite
 [[nodiscard]] std::string consume(const EventPort&);
 /// Stores the received value; "" if nothing is stored; Fault::fields_lost.
 [[nodiscard]] std::string received(const Generation&, const Unit&, const ir::Communication&, const std::string& value);
+/// The incoming value, converted to the type of the variable that receives it: the variable of a nat may be a real.
+[[nodiscard]] std::string as_variable(const Generation&, const Unit&, const ir::Communication&,
+                                      const std::string& value);
 /// An arbitrary value of the type as C++ text, for events that are not connected.
 [[nodiscard]] std::string default_text(const Generation&, ir::TypeId);
 /// Whether the event's only source is a register of the platform.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cpp_emit/code/assignment.hpp"
+#include "cpp_emit/code/reception.hpp"
 #include "cpp_emit/code/suspension.hpp"
 #include "cpp_emit/code/transition_numbers.hpp"
 #include "cpp_emit/expressions/expression.hpp"
@@ -162,7 +163,7 @@ bool ControlSteps::pick_way(NodeId id, CodeWriter& out, const char* end) {
 CppExpr ControlSteps::guard(const ir::Transition& transition, const std::string& incoming) const {
     if (!transition.guard) return {};
     ExpressionWriter expressions(generation_, unit_);
-    if (transition.trigger) expressions.set_incoming(incoming);
+    if (transition.trigger) expressions.set_incoming(as_variable(generation_, unit_, *transition.trigger, incoming));
     return expressions.expression_asked(*transition.guard);
 }
 

@@ -45,6 +45,9 @@ public:
                 component_.probabilistic = component_.probabilistic || node.kind == ir::NodeKind::probabilistic;
             for (const ir::Variable& variable : unit.machine->variables) type(variable.type);
             visit_expressions(*unit.machine, [&](const ir::Expr& expr) { expression(expr); });
+            visit_communications(*unit.machine, [&](const ir::Communication& communication, bool) {
+                reception(*unit.machine, communication);
+            });
         }
         visit_asked(component_, system_, [&](const ir::Expr& expr) { expression(expr); });
         component_.matrices = component_.matrices || component_.toolkit;
@@ -67,6 +70,15 @@ private:
         for (const ir::ExprPtr& part : expr.args)
             if (part && part->type.valid() && with_parts && mixed(part->type)) component_.toolkit = true;
         for (const ir::TypeId each : visited(system_, expr)) carrier(each);
+    }
+
+    /// A value with parts may have to be converted to the type of the variable that receives it.
+    void reception(const ir::Machine& machine, const ir::Communication& communication) {
+        if (!communication.event.valid() || !communication.variable.valid()) return;
+        const ir::TypeId variable = machine.variables[communication.variable.index].type;
+        const std::optional<ir::TypeId> event = machine.events[communication.event.index].type;
+        const bool converts = event && composed(system_.type(variable)) && *event != variable;
+        component_.toolkit = component_.toolkit || converts;
     }
 
     /// Values with parts may have to be converted if they are used as another type.

@@ -276,6 +276,16 @@ bool Translator::written_differently(ir::TypeId from, ir::TypeId to) const {
     return false;
 }
 
+bool Translator::narrows(ir::TypeId from, ir::TypeId to) const {
+    if (!written_differently(from, to)) return false;
+    if (numeric(*type(from))) return is_real(from);
+    const std::vector<ir::TypeId>& source = type(from)->args;
+    const std::vector<ir::TypeId>& target = type(to)->args;
+    for (std::size_t i = 0; i < std::min(source.size(), target.size()); ++i)
+        if (narrows(source[i], target[i])) return true;
+    return false;
+}
+
 ExprPtr Translator::converted(const ExprPtr& value, ir::TypeId from, ir::TypeId to) const {
     if (!written_differently(from, to)) return value;
     const ir::Type& source = *type(from);

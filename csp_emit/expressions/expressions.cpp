@@ -391,6 +391,14 @@ ExprPtr expression_as(const Project& project, const Scope& scope, const ir::Expr
     return scope.placed ? placed(result, expr.span) : result;
 }
 
+ExprPtr received_as(const Project& project, const ExprPtr& value, ir::TypeId event, ir::TypeId variable,
+                    diagnostics::Span reception) {
+    const Scope nothing;
+    const Translator translator(project, nothing);
+    if (translator.narrows(event, variable)) project.refuse("receiving a real into a whole number", reception);
+    return translator.converted(value, event, variable);
+}
+
 std::vector<ExprPtr> preconditions(const Project& project, const Scope& scope, const ir::Expr& expr) {
     std::vector<ExprPtr> result = Translator(project, scope).preconditions(expr);
     if (scope.placed)

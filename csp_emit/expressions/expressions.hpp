@@ -25,6 +25,10 @@ struct Scope {
 [[nodiscard]] cspm::ExprPtr expression(const Project&, const Scope&, const ir::Expr&);
 /// The expression converted to another numeric type: integers become reals in units of 1/scale.
 [[nodiscard]] cspm::ExprPtr expression_as(const Project&, const Scope&, const ir::Expr&, ir::TypeId wanted);
+/// The value of an event, converted to the type of the variable that receives it. If the scale is not 1, a variable of
+/// whole numbers cannot receive a real: the reception is reported by name (RC-C01).
+[[nodiscard]] cspm::ExprPtr received_as(const Project&, const cspm::ExprPtr& value, ir::TypeId event,
+                                        ir::TypeId variable, diagnostics::Span reception);
 /// Preconditions of all functions that the expression calls, for `pre &` (semantics 3.5); empty if there are none.
 [[nodiscard]] std::vector<cspm::ExprPtr> preconditions(const Project&, const Scope&, const ir::Expr&);
 /// The value `whole` of a type, in which `value` replaces one of its parts. The path leads to the part: the position of

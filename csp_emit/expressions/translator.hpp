@@ -20,6 +20,9 @@ public:
     /// The value in which the part at `path[from..]` is replaced.
     cspm::ExprPtr replaced(ir::TypeId type, const cspm::ExprPtr& whole, const cspm::build::Exprs& path,
                            std::size_t from, const cspm::ExprPtr& value) const;
+    /// Whether reals would become whole numbers, which not every real is.
+    bool narrows(ir::TypeId from, ir::TypeId to) const;
+    cspm::ExprPtr converted(const cspm::ExprPtr& value, ir::TypeId from, ir::TypeId to) const;
 
 private:
     using ExprPtr = cspm::ExprPtr;
@@ -82,7 +85,6 @@ private:
     ExprPtr replaced_entry(ir::TypeId type, const ExprPtr& whole, const Exprs& path, std::size_t from,
                            const ExprPtr& value) const;
     bool written_differently(ir::TypeId from, ir::TypeId to) const;
-    ExprPtr converted(const ExprPtr& value, ir::TypeId from, ir::TypeId to) const;
     ExprPtr converted_elements(const ExprPtr& value, const ir::Type& from, const ir::Type& to) const;
     ExprPtr converted_tuple(const ExprPtr& value, const std::vector<ir::TypeId>& from,
                             const std::vector<ir::TypeId>& to) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The behaviour of generated processes, compared with CSPM that was written by hand from the reference (semantics 3.3
 // to 3.8). Equality is refinement in both directions in the failures-divergences model.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -617,6 +618,41 @@ TEST(Provenance, KeysAreWhatTheCheckerPrints) {
         EXPECT_NE(event, provenance.events.end()) << step.event;
         EXPECT_NE(provenance.definitions.count(step.state.substr(0, step.state.find('('))), 0U) << step.state;
     }
+}
+
+/// Reals are counted in tenths here. A whole number that comes in is as many of them as it is worth.
+TEST(Receptions, WholeNumbersBecomeReals) {
+    const std::string body = R"(
+        event high event r:real event h:real
+        var x:real = 0.5
+        initial i
+        state A { entry r ! x }
+        state B { entry high }
+        state C { entry n ? x ; r ! x }
+        transition t0 { from i to A }
+        transition t1 { from A to B trigger n ? x condition x > 0.5 }
+        transition t2 { from A to C trigger m ? x condition x < 0.5 }
+    )";
+    EXPECT_EQ(untimed(machine(body),
+                      "Spec = S::r.out.5 -> (S::n.in?v:{1, 2} -> S::high.out -> STOP\n"
+                      "       [] S::m.in.0 -> S::n.in?v:{0..2} -> S::r.out.(10 * v) -> STOP)"),
+              "holds");
+}
+
+/// What is lost of 0.5 in a whole number, no semantics says.
+TEST(Receptions, RealsDoNotBecomeWholeNumbers) {
+    const std::string text = machine(R"(
+        event h:real
+        var y:nat
+        var x:real = 0.5
+        initial i
+        state A { }
+        transition t0 { from i to A }
+        transition t1 { from A to A trigger h ? y }
+    )");
+    const auto m = model(text);
+    (void)m->emit(Time::untimed);
+    EXPECT_THAT(m->codes(), ::testing::Contains("RC-C01"));
 }
 
 }  // namespace

@@ -216,9 +216,11 @@ Branch reception(MachineTables& tables, const RunningThread& running, const ir::
     store.kind = ItemKind::store;
     store.variable = input.variable;
     store.cells = {cell};
+    const ir::TypeId variable = tables.frames[frame].machine->variables.at(input.variable.index).type;
+    const ExprPtr value = received_as(project, b::name(received), type, variable, stmt.origin.span);
     ExprPtr from;
     if (input.predicate) {
-        const Scope names = tables.frames.scope(frame, {}, b::name(received));
+        const Scope names = tables.frames.scope(frame, {}, value);
         b::Exprs conditions = preconditions(project, names, *input.predicate);
         conditions.push_back(expression(project, names, *input.predicate));
         from = b::set_comprehension({b::name(received)}, {b::generator(received, type_set(project, type)),
@@ -227,7 +229,7 @@ Branch reception(MachineTables& tables, const RunningThread& running, const ir::
     return {nullptr,
             b::dot({b::name(tables.frames[frame].events.at(input.event.index)), b::name("in")}),
             {b::input(received, from)},
-            go(running.replace(push(store, running.tail())), {{cell, b::name(received)}})};
+            go(running.replace(push(store, running.tail())), {{cell, value}})};
 }
 
 /// Writes a variable: `set_x!v` if it is shared, a hidden step otherwise (semantics 3.7).

@@ -174,6 +174,12 @@ Branch fire_trigger(MachineTables& tables, const RunningMachine& running, ir::Tr
     result.event = b::dot({b::name(tables.frames[index].events.at(trigger.event.index)), b::name("in")});
     Values values = reset_clocks(tables, index, transition);
     Program first;
+    ExprPtr value = b::name(incoming);
+    if (input) {
+        const ir::TypeId from = active.events.at(trigger.event.index).type.value();
+        const ir::TypeId to = active.variables.at(trigger.variable.index).type;
+        value = received_as(project, value, from, to, transition.origin.span);
+    }
     const ir::ExprPtr stated = condition_in_time(tables, transition);
     const bool on_value = (stated && has_kind(*stated, ir::ExprKind::trigger_value)) || (trigger.predicate && input);
     if (input) {
@@ -181,7 +187,7 @@ Branch fire_trigger(MachineTables& tables, const RunningMachine& running, ir::Tr
         store.variable = trigger.variable;
         store.cells = {tables.cells.of_trigger(index, id)};
         first = push(store, nullptr);
-        values[store.cells[0]] = b::name(incoming);
+        values[store.cells[0]] = value;
     } else if (trigger.kind == CommKind::output) {
         project.refuse("an output as trigger of " + transition.name, transition.origin.span);
     }
@@ -194,7 +200,7 @@ Branch fire_trigger(MachineTables& tables, const RunningMachine& running, ir::Tr
         result.fields = {b::output(expression_as(project, names, *trigger.value, type))};
         return result;
     }
-    const ExprPtr condition = on_value ? guard_of(tables, index, transition, {}, b::name(incoming)) : b::boolean(true);
+    const ExprPtr condition = on_value ? guard_of(tables, index, transition, {}, value) : b::boolean(true);
     const ExprPtr from =
         is_true(condition) ? nullptr
                            : b::set_comprehension({b::name(incoming)}, {b::generator(incoming, type_set(project, type)),

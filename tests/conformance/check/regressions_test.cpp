@@ -34,6 +34,17 @@ TEST(Regressions, AConditionalDecidesAnIfThatWaits) {
         machine("", "state A { entry if (if x then true else x end) then wait(1) else wait(2) end; out }"));
 }
 
+TEST(Regressions, AVariableOfRealsReceivesWholeNumbers) {
+    expect_conformance_of(
+        "stm S { event e : nat event f : int event s : Seq(nat) event o : real event big\n"
+        "var x : real var all : Seq(real) initial i transition t0 { from i to A }\n"
+        "state A { entry o ! x } state B { entry e ? x ; o ! x ; wait(1) } state C { entry s ? all ; big }\n"
+        "transition t1 { from A to A trigger e ? x condition x > 0.5 }\n"
+        "transition t2 { from A to B trigger f ? x condition x < 0.5 }\n"
+        "transition t3 { from B to C }\n"
+        "transition t4 { from C to A trigger f ? x condition all == < > } }\n");
+}
+
 TEST(Regressions, ValuesAreComparedWithThemselvesWithoutAWarning) {
     expect_conformance_of(machine("",
                                   "state A { entry x = (x == x) iff (x != x) } state B { entry out }\n"
