@@ -126,8 +126,7 @@ TEST(RunLimits, OneClaimThatReachesTheMemoryLimitDoesNotEndTheOthers) {
         "printf 'assertion Large : C is deterministic\\nassertion Small : S0 is deadlock-free\\n' > m.assertions\n" +
         in_time(hard, "--memory 100MiB --timeout 500 --no-cache --no-reduction --untimed --format json m.rct"));
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
-    EXPECT_THAT(ran.out, AllOf(HasSubstr("the memory limit of 100 MiB was reached"), HasSubstr("\"holds\""),
-                               Not(HasSubstr("\"limit\""))));
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("the memory limit of 100 MiB was reached"), HasSubstr("\"holds\"")));
 }
 
 TEST(RunLimits, WhatWasKnownBeforeIsReported) {
