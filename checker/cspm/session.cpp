@@ -355,7 +355,7 @@ struct Session::Impl {
 
     /// Making the script ready once more must be little beside what has been done with it.
     [[nodiscard]] std::size_t most_terms(bool direct) const {
-        constexpr std::size_t few = 5'000, many = 150'000;
+        constexpr std::size_t few = 5'000, many = 1'000'000;
         if (packing.from_terms) return *packing.from_terms;
         return std::max(direct ? few : many, loaded.program.codes.size() / 4);
     }

@@ -32,7 +32,7 @@ struct AssertionResult {
 /// When processes that stay terms are searched as packed states (docs/search.md). Answers do not depend on it.
 struct Packing {
     /// From so many terms on that searches have made. None: 5,000, or more for long scripts, if steps are found without
-    /// terms (packed/direct_steps.hpp), and else 150,000.
+    /// terms (packed/direct_steps.hpp), and else 1,000,000.
     std::optional<std::size_t> from_terms;
     std::optional<std::size_t>
         most_kept;             ///< values and terms that may be kept; 0: those of one state; none: by the memory
