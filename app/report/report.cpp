@@ -359,7 +359,7 @@ std::string Report::advice() const {
         helps.emplace_back("--timeout gives more time, --threads uses more cores");
     if (met(" states was reached")) helps.emplace_back("--max-states allows more");
     if (helps.empty()) return "";
-    helps.emplace_back("a smaller --range makes fewer states");
+    if (subject == "model") helps.emplace_back("a smaller --range makes fewer states");
     return fmt::format("what may help: {}", fmt::join(helps, "; "));
 }
 

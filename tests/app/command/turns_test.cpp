@@ -114,8 +114,9 @@ TEST(Turns, WhoseTimeHasEndedIsSaid) {
 
 // If the time of one assertion is over, the advice names the option for assertions, not the one for runs.
 TEST(Turns, AdviceNamesTheLimitThatWasMet) {
-    const auto advice = [](const std::string& reason) {
+    const auto advice = [](const std::string& reason, const char* subject = "model") {
         Report report;
+        report.subject = subject;
         report.assertions.emplace_back().reason = reason;
         return report.advice();
     };
@@ -124,6 +125,8 @@ TEST(Turns, AdviceNamesTheLimitThatWasMet) {
     EXPECT_TRUE(advice("the time limit was reached").starts_with("what may help: --timeout gives more"));
     EXPECT_TRUE(advice("the memory limit of 4 MiB was reached").starts_with("what may help: --disk DIR"));
     EXPECT_EQ(advice("the run was interrupted"), "");
+    EXPECT_EQ(advice("the limit of 5 states was reached", "process"), "what may help: --max-states allows more")
+        << "scripts have no --range";
 }
 
 }  // namespace
