@@ -11,6 +11,7 @@
 #include <numeric>
 #include <vector>
 
+#include "app/command/run.hpp"
 #include "app/verbs/monitor.hpp"
 #include "benchmarks/cpu_time.hpp"
 #include "benchmarks/scaled.hpp"
@@ -111,6 +112,8 @@ bool load(const char* path, Study& study) {
     options.verb = app::Verb::simulate;
     options.inputs = {path};
     options.quiet = true;
+    app::Run run(options);
+    options.run = &run;
     study.loaded = app::load_simulation(options);
     std::string error;
     if (study.loaded->project->diagnostics.ok())

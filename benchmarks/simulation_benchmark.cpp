@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/command/run.hpp"
 #include "app/verbs/simulate.hpp"
 #include "benchmarks/cpu_time.hpp"
 #include "benchmarks/scaled.hpp"
@@ -42,6 +43,8 @@ int main(int argc, char** argv) {
     app::Options options;
     options.verb = app::Verb::simulate;
     options.inputs = {argv[1]};
+    app::Run run(options);
+    options.run = &run;
     const auto loaded = app::load_simulation(options);
     if (!app::show_diagnostics(*loaded->project, options)) return 2;
     std::string error;
