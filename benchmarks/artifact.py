@@ -3,7 +3,7 @@
 """Measures the tables of docs/benchmarks.md and prints each next to the table of the document.
 
 A table that needs files which are not in the repository is not measured: its line says which files, and where the public
-originals are. The whole run takes less than 30 minutes on two cores. Exits with 1 if a measurement fails, that is, if its
+originals are. Exits with 1 if a measurement fails, that is, if its
 program finds a wrong answer or a wrong number of states."""
 
 import argparse

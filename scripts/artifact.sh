@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Prints every table of docs/benchmarks.md that the repository alone can measure, next to the table of the document. Installs
-# missing packages, and builds in release form. Takes less than 30 minutes
-# on two cores. Options: --only TEXT (sections whose heading contains it), --quick (no models of more than a million states).
+# missing packages, and builds in release form. Options: --only TEXT (sections whose
+# heading contains it), --quick (no models of more than a million states).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh benchmarks
