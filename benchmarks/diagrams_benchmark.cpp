@@ -98,8 +98,7 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "usage: benchmark_diagrams [--pictures] MODEL...\n");
         return 4;
     }
-    std::sort(all.begin(), all.end(),
-              [](const Measured& a, const Measured& b) { return a.milliseconds < b.milliseconds; });
+    std::ranges::sort(all, [](const Measured& a, const Measured& b) { return a.milliseconds < b.milliseconds; });
     double sum = 0;
     for (const Measured& each : all) sum += each.milliseconds;
     fmt::print("{} diagrams, {:.1f} ms in all; median {:.2f} ms, 95 % below {:.2f} ms\n", all.size(), sum,

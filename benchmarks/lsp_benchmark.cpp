@@ -102,7 +102,7 @@ struct Times {
 };
 
 void report(const char* what, const char* unit, std::vector<double> times) {
-    std::sort(times.begin(), times.end());
+    std::ranges::sort(times);
     fmt::print("{:<32} {:<5} median {:7.2f} ms   p95 {:7.2f} ms   worst {:7.2f} ms\n", what, unit,
                times[times.size() / 2], times[times.size() * 95 / 100], times.back());
 }
@@ -165,7 +165,7 @@ int main(int argc, char** argv) {
     std::int64_t lines = 0;
     for (int f = 0; f < files; ++f) {
         const std::string& text = project.texts.emplace_back(text_of(f, files, machines));
-        lines += std::count(text.begin(), text.end(), '\n');
+        lines += std::ranges::count(text, '\n');
         project.editor.say(
             "textDocument/didOpen",
             Json::object({{"textDocument", Json::object({{"uri", uri(f)}, {"version", 1}, {"text", text}})}}));

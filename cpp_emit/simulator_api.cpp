@@ -327,7 +327,7 @@ private:
         const Enumeration& places = root_places(part);
         const std::vector<ir::NodeId>& states = machines_[part].states;
         for (const Enumerator& value : places.values) {
-            const auto found = std::find(states.begin(), states.end(), value.state);
+            const auto found = std::ranges::find(states, value.state);
             if (found != states.end())
                 out_.line(
                     fmt::format("case core::{}::{}: return {};", places.name, value.name, found - states.begin()));

@@ -92,7 +92,7 @@ std::vector<DeclPtr> channels_around(const Emitted& emitted, const std::string& 
     for (const DeclPtr& decl : around->second.module->exports) {
         const bool calls = decl->kind == cspm::DeclKind::channel && decl->names.size() == 1 &&
                            decl->names.front().ends_with("Call") &&
-                           std::find(own.begin(), own.end(), decl->names.front()) == own.end();
+                           std::ranges::find(own, decl->names.front()) == own.end();
         if (calls) result.push_back(decl);
     }
     return result;

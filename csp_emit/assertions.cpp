@@ -116,7 +116,7 @@ const ComponentEmission* Asserter::component(const ir::ComponentRef& ref) const 
 /// The value that the assertion gives to one of these names; null if it gives none.
 ExprPtr Asserter::argument(const std::vector<std::string>& names, const ir::Property& property) const {
     for (const auto& [name, given] : property.constants)
-        if (std::find(names.begin(), names.end(), name) != names.end()) return expression(project_, {}, *given);
+        if (std::ranges::find(names, name) != names.end()) return expression(project_, {}, *given);
     return nullptr;
 }
 
@@ -129,13 +129,13 @@ std::string Asserter::own(const ConstantParameter& constant) const {
 bool Asserter::takes(const ir::ComponentRef& ref, const std::string& constant) const {
     const ComponentEmission* found = component(ref);
     if (found == nullptr) return false;
-    return std::any_of(found->constants.begin(), found->constants.end(),
-                       [&](const ConstantParameter& c) {
-                           return c.parameter == constant || c.source == constant || c.value == constant ||
-                                  own(c) == constant;
-                       }) ||
-           std::any_of(found->arguments.begin(), found->arguments.end(),
-                       [&](const ArgumentParameter& argument) { return argument.name == constant; });
+    return std::ranges::any_of(found->constants,
+                               [&](const ConstantParameter& c) {
+                                   return c.parameter == constant || c.source == constant || c.value == constant ||
+                                          own(c) == constant;
+                               }) ||
+           std::ranges::any_of(found->arguments,
+                               [&](const ArgumentParameter& argument) { return argument.name == constant; });
 }
 
 /// Reports RC-C08, once for the untimed and the timed script.
@@ -203,7 +203,7 @@ ExprPtr Asserter::renamed_to(const ir::ComponentRef& ref, const ir::ComponentRef
     if (from == nullptr || to == nullptr || path(ref) == path(other)) return process;
     std::vector<cspm::Link> links;
     for (const std::string& channel : from->visible)
-        if (std::find(to->visible.begin(), to->visible.end(), channel) != to->visible.end())
+        if (std::ranges::find(to->visible, channel) != to->visible.end())
             links.push_back({b::name(path(ref) + "::" + channel), b::name(path(other) + "::" + channel)});
     return links.empty() ? process : b::rename(process, links);
 }
@@ -219,7 +219,7 @@ std::string Asserter::missing_alphabet(const ir::ComponentRef& ref, const ir::Co
     if (ref.kind != ir::ComponentKind::process) return "";
     const std::string wanted = ref.path + "__sem__events";
     const auto& blocks = project_.system.csp_blocks;
-    const bool defined = std::any_of(blocks.begin(), blocks.end(), [&](const ir::CspBlock& block) {
+    const bool defined = std::ranges::any_of(blocks, [&](const ir::CspBlock& block) {
         return project_.applies(block) && block.text.find(wanted) != std::string::npos;
     });
     if (defined) return "";
@@ -238,7 +238,7 @@ ExprPtr Asserter::joint_alphabet(const ir::Property& property) const {
         return b::call("union", {alphabet(property.other), alphabet(property.subject)});
     b::Exprs rest;
     for (const std::string& channel : from->visible)
-        if (std::find(to->visible.begin(), to->visible.end(), channel) == to->visible.end())
+        if (std::ranges::find(to->visible, channel) == to->visible.end())
             rest.push_back(b::name(path(property.subject) + "::" + channel));
     return rest.empty() ? alphabet(property.other) : b::call("union", {alphabet(property.other), b::productions(rest)});
 }

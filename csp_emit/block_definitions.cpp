@@ -12,9 +12,8 @@ namespace {
 /// The place in the user's file; blocks are parsed from copies.
 diagnostics::Span in_file(const Project& project, const std::string& file, diagnostics::Span span) {
     const auto& blocks = project.system.csp_blocks;
-    const auto block = std::find_if(blocks.begin(), blocks.end(), [&](const ir::CspBlock& each) {
-        return each.file == file && each.text_span.known();
-    });
+    const auto block = std::ranges::find_if(
+        blocks, [&](const ir::CspBlock& each) { return each.file == file && each.text_span.known(); });
     if (block != blocks.end()) span.source = block->text_span.source;
     return span;
 }

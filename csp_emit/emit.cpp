@@ -92,8 +92,7 @@ class Packages {
 public:
     void add(const std::string& package, const DeclPtr& module) {
         const std::string name = flatten(package);
-        const auto found =
-            std::find_if(packages_.begin(), packages_.end(), [&](const auto& p) { return p.first == name; });
+        const auto found = std::ranges::find_if(packages_, [&](const auto& p) { return p.first == name; });
         if (found == packages_.end())
             packages_.push_back({name, {module}});
         else

@@ -38,7 +38,7 @@ std::string first_of(const std::string& path) {
 }
 
 bool is_any(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
+    return std::ranges::find(names, name) != names.end();
 }
 
 /// A name of an older generator: today's name, or the reason why there is none.
@@ -118,7 +118,7 @@ private:
         const auto component = component_around(each.text);
         if (component == components_.end()) return;
         const std::string last = last_of(each.text);
-        if (!is_any(component->second.visible, last) && std::find(inner.begin(), inner.end(), last) != inner.end())
+        if (!is_any(component->second.visible, last) && std::ranges::find(inner, last) != inner.end())
             report(each,
                    "is inside a machine there; here each machine is one sequential process, of which its events, "
                    "calls, writes and the states entered can be seen");
@@ -215,7 +215,7 @@ void check_robotool_names(const Project& project, const std::map<std::string, Co
 
 std::string name_of_carrier(const std::string& name) {
     constexpr std::array<std::string_view, 5> carriers{"nat", "int", "real", "boolean", "string"};
-    return std::find(carriers.begin(), carriers.end(), name) == carriers.end() ? "" : "core_" + name;
+    return std::ranges::find(carriers, name) == carriers.end() ? "" : "core_" + name;
 }
 
 }  // namespace robochart::csp_emit

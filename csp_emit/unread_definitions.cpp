@@ -16,7 +16,7 @@ namespace {
 /// Whether the script of the other semantics has already led to the same finding.
 bool is_known(const Project& project, diagnostics::Span place) {
     const auto known = project.diagnostics.sorted();
-    return std::any_of(known.begin(), known.end(), [&](const diagnostics::Diagnostic& finding) {
+    return std::ranges::any_of(known, [&](const diagnostics::Diagnostic& finding) {
         return finding.rule == &rules::definition_unread && finding.span == place;
     });
 }
@@ -42,7 +42,7 @@ void check_instantiations_read(const Project& project,
         if (known.count(name) != 0 || project.occurrences(name) > clauses.size()) continue;
         const diagnostics::Span place = clauses.front().place;
         const std::string carrier = name_of_carrier(name);
-        const bool old = std::find(left_out.begin(), left_out.end(), carrier) != left_out.end();
+        const bool old = std::ranges::find(left_out, carrier) != left_out.end();
         const std::string meant = old ? carrier : diagnostics::nearest(name, left_out);
         if ((meant.empty() && !is_of_instantiations(name)) || is_known(project, place)) continue;
         diagnostics::Diagnostic& finding =

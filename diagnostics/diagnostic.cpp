@@ -33,7 +33,7 @@ void shorten(std::string& argument) {
 }  // namespace
 
 Diagnostic& Diagnostics::report(const Rule& rule, Span span, std::vector<std::string> arguments) {
-    std::for_each(arguments.begin(), arguments.end(), shorten);
+    std::ranges::for_each(arguments, shorten);
     Diagnostic finding{&rule, span, std::move(arguments), {}, {}};
     if (rule.severity == Severity::warning && allowed_.contains(rule.code)) {
         overflow_ = std::move(finding);
@@ -57,9 +57,8 @@ Diagnostic& Diagnostics::report(const Rule& rule, Span span, std::vector<std::st
 
 void Diagnostics::add(const Diagnostics& other) {
     const auto kept = [&](Severity severity) {
-        return static_cast<std::size_t>(
-            std::count_if(other.items_.begin(), other.items_.end(),
-                          [&](const Diagnostic& each) { return each.rule->severity == severity; }));
+        return static_cast<std::size_t>(std::ranges::count_if(
+            other.items_, [&](const Diagnostic& each) { return each.rule->severity == severity; }));
     };
     for (const Diagnostic& finding : other.items_) report(*finding.rule, finding.span, finding.arguments) = finding;
     errors_ += other.errors_ - kept(Severity::error);
@@ -83,8 +82,7 @@ std::vector<Diagnostic> Diagnostics::sorted() const {
     const auto key = [](const Diagnostic& d) {
         return std::make_tuple(d.span.source, d.span.begin, d.span.end, d.rule->code);
     };
-    std::stable_sort(result.begin(), result.end(),
-                     [&](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
+    std::ranges::stable_sort(result, [&](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
     // Constructs that are processed twice, for the timed and the untimed semantics, report the same note twice.
     const auto noted = [](const Diagnostic& a, const Diagnostic& b) {
         return a.rule == b.rule && a.rule->severity == Severity::note && a.span.source == b.span.source &&

@@ -56,7 +56,7 @@ std::size_t align(std::string_view line, std::size_t offset) {
 }
 
 std::size_t cell_at(const std::vector<Cell>& cells, std::size_t offset) {
-    const auto it = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) { return c.offset >= offset; });
+    const auto it = std::ranges::find_if(cells, [&](const Cell& c) { return c.offset >= offset; });
     return static_cast<std::size_t>(it - cells.begin());
 }
 

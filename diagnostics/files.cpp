@@ -188,8 +188,8 @@ void gather(const fs::path& folder, bool deep, FilesBelow& result) {
 FilesBelow files_below(const std::string& folder, bool deep) {
     FilesBelow result;
     gather(folder, deep, result);
-    std::sort(result.files.begin(), result.files.end(),
-              [](const std::string& a, const std::string& b) { return fs::path(a) < fs::path(b); });
+    std::ranges::sort(result.files,
+                      [](const std::string& a, const std::string& b) { return fs::path(a) < fs::path(b); });
     return result;
 }
 

@@ -20,8 +20,7 @@ std::vector<FixIt> certain_fixes(const Diagnostics& diagnostics, SourceId source
     for (const Diagnostic& finding : diagnostics.sorted())
         if (!finding.fixes.empty() && is_certain(finding.fixes.front()) && finding.fixes.front().span.source == source)
             all.push_back(finding.fixes.front());
-    std::stable_sort(all.begin(), all.end(),
-                     [](const FixIt& a, const FixIt& b) { return a.span.begin < b.span.begin; });
+    std::ranges::stable_sort(all, [](const FixIt& a, const FixIt& b) { return a.span.begin < b.span.begin; });
     std::vector<FixIt> chosen;
     for (FixIt& fix : all) {
         // Two insertions at the same place are not combined, because their order would be arbitrary.

@@ -123,8 +123,7 @@ std::string render_sarif(const SourceManager& sources, const Diagnostics& diagno
     // Rows that share a code are one rule in SARIF; the first row by place describes it.
     std::vector<const Rule*> rules;
     const auto index = [&](const Diagnostic& d) {
-        const auto same =
-            std::find_if(rules.begin(), rules.end(), [&](const Rule* r) { return r->code == d.rule->code; });
+        const auto same = std::ranges::find_if(rules, [&](const Rule* r) { return r->code == d.rule->code; });
         if (same == rules.end()) return rules.push_back(d.rule), rules.size() - 1;
         return static_cast<std::size_t>(same - rules.begin());
     };

@@ -111,11 +111,11 @@ const std::string& SourceManager::path(SourceId id) const {
 Position SourceManager::position(SourceId id, std::uint32_t offset) const {
     const File& file = files_.at(static_cast<std::size_t>(id));
     const auto clamped = std::min<std::size_t>(offset, file.text.size());
-    const auto after = std::upper_bound(file.line_starts.begin(), file.line_starts.end(), clamped);
+    const auto after = std::ranges::upper_bound(file.line_starts, clamped);
     const auto line = static_cast<std::uint32_t>(after - file.line_starts.begin());
     const std::string_view before =
         std::string_view(file.text).substr(file.line_starts[line - 1], clamped - file.line_starts[line - 1]);
-    const auto continuations = std::count_if(before.begin(), before.end(), is_continuation);
+    const auto continuations = std::ranges::count_if(before, is_continuation);
     return {line, static_cast<std::uint32_t>(before.size() - static_cast<std::size_t>(continuations)) + 1};
 }
 

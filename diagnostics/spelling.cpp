@@ -52,7 +52,7 @@ std::string nearest(std::string_view name, const std::vector<std::string>& candi
 bool is_certain(std::string_view name, std::string_view meant, const std::vector<std::string>& candidates) {
     const std::size_t best = distance(name, meant);
     if (meant.empty() || best > 2 || best * 2 >= name.size()) return false;
-    return std::none_of(candidates.begin(), candidates.end(), [&](const std::string& other) {
+    return std::ranges::none_of(candidates, [&](const std::string& other) {
         return other != meant && other.size() <= name.size() + best && distance(name, other) <= best;
     });
 }

@@ -68,7 +68,7 @@ constexpr std::array notifications = {
 
 template <class Rows>
 auto row_of(const Rows& rows, std::string_view method) {
-    return std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.method == method; });
+    return std::ranges::find_if(rows, [&](const auto& row) { return row.method == method; });
 }
 
 bool is_id(View id) {
@@ -134,7 +134,7 @@ void Server::handle(View message) {
 }
 
 bool Server::is_cancelled(const Json& id) const {
-    return interruption_.is_cancelled(id) || std::any_of(queue_.begin(), queue_.end(), [&](const Message& m) {
+    return interruption_.is_cancelled(id) || std::ranges::any_of(queue_, [&](const Message& m) {
                const View message = m.json;
                return message["method"].text() == "$/cancelRequest" && message["params"]["id"].json() == id;
            });

@@ -53,8 +53,7 @@ Channel* MachineEmitter::channel(const Part& part, ir::EventId event, Direction 
     // The events of an operation are those of the machine that runs it.
     const std::string& name = part.machine->events[event.index].name;
     const ir::Machine& host = context_.system.machine(instance_.machine);
-    const auto found =
-        std::find_if(host.events.begin(), host.events.end(), [&](const auto& each) { return each.name == name; });
+    const auto found = std::ranges::find_if(host.events, [&](const auto& each) { return each.name == name; });
     if (found != host.events.end()) return channels_.find(seat_, *found, direction, span);
     context_.diagnostics.report(rules::unsupported_event, span,
                                 {name, part.element, "the state machine that calls the operation has no such event"});

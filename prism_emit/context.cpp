@@ -35,8 +35,7 @@ std::optional<Carrier> Context::carrier(ir::TypeId type, const std::string& elem
     if (found.kind == ir::TypeKind::nat) result = range(preferences_.nat);
     if (found.kind == ir::TypeKind::integer) result = range(preferences_.integer);
     if (found.kind == ir::TypeKind::real) result = range(preferences_.real);
-    const bool plain = std::all_of(found.literal_args.begin(), found.literal_args.end(),
-                                   [](const auto& arguments) { return arguments.empty(); });
+    const bool plain = std::ranges::all_of(found.literal_args, [](const auto& arguments) { return arguments.empty(); });
     if (found.kind == ir::TypeKind::enumeration && plain && !found.labels.empty()) {
         (void)literal(type, 0);
         result = Carrier{false, 0, static_cast<std::int64_t>(found.labels.size()) - 1};

@@ -95,13 +95,13 @@ void MachineEmitter::name_variables(Part& part) {
             context_.note(variable, part.element + "::" + variable.name, name);
         } else if (host != &part) {
             const auto& known = host->machine->variables;
-            const auto own = std::find_if(known.begin(), known.end(),
-                                          [&](const auto& other) { return other.name == variable.name; });
+            const auto own =
+                std::ranges::find_if(known, [&](const auto& other) { return other.name == variable.name; });
             if (own != known.end()) name = host->variables[static_cast<std::size_t>(own - known.begin())];
         }
         if (name.empty()) {
             const auto& shared = controller_.variables;
-            const bool of_controller = std::any_of(shared.begin(), shared.end(), [&](const ir::Variable& other) {
+            const bool of_controller = std::ranges::any_of(shared, [&](const ir::Variable& other) {
                 return other.name == variable.name && other.scope == ir::VariableScope::local;
             });
             const auto global = globals_.find(variable.name);
@@ -256,8 +256,7 @@ void MachineEmitter::declare_counters(const Part& part) {
     }
     module_.variables.push_back(tree::range(part.lock, 0, part.locks, tree::name(part.free)));
     const auto& known = context_.emission.model.constants;
-    const bool given =
-        std::any_of(known.begin(), known.end(), [&](const auto& each) { return each.name.text == part.terminated; });
+    const bool given = std::ranges::any_of(known, [&](const auto& each) { return each.name.text == part.terminated; });
     if (!given)
         context_.emission.model.constants.push_back(tree::constant(part.terminated, part.regions.front().points + 1));
 }
@@ -314,8 +313,7 @@ MachineEmitter::Assignments MachineEmitter::entered(Part& part, std::size_t plac
 }
 
 bool MachineEmitter::unlocks(const Part& part, const Assignments& assignments) const {
-    return std::any_of(assignments.begin(), assignments.end(),
-                       [&](const auto& each) { return each.variable.text == part.lock; });
+    return std::ranges::any_of(assignments, [&](const auto& each) { return each.variable.text == part.lock; });
 }
 
 // ---------------------------------------------------------------- steps

@@ -26,7 +26,7 @@ std::optional<std::string> Copies::words(const std::string& name) const {
 
 void Copies::number(const std::vector<bool>& of_model) {
     leaves_.clear();
-    const auto all = static_cast<std::size_t>(std::count(of_model.begin(), of_model.end(), true));
+    const auto all = static_cast<std::size_t>(std::ranges::count(of_model, true));
     if (!meaning_ || all == 0 || all % meaning_->count != 0) return;
     const std::size_t each = all / meaning_->count;
     std::size_t before = 0;

@@ -128,10 +128,10 @@ void Interpreter::tell_copies_apart(const Timeline& line) {
         const std::string& name = reader_.name_of(raw.event, raw.revealed);
         const auto copy = copies_.of_event(name);
         if (!copy) continue;
-        const bool of_it = std::any_of(moment.movers.begin(), moment.movers.end(),
-                                       [&](const Mover& each) { return copies_.of_leaf(each.leaf) == copy; });
-        const bool of_none = std::none_of(moment.movers.begin(), moment.movers.end(),
-                                          [&](const Mover& each) { return copies_.of_leaf(each.leaf).has_value(); });
+        const bool of_it =
+            std::ranges::any_of(moment.movers, [&](const Mover& each) { return copies_.of_leaf(each.leaf) == copy; });
+        const bool of_none = std::ranges::none_of(
+            moment.movers, [&](const Mover& each) { return copies_.of_leaf(each.leaf).has_value(); });
         if (!of_it && !of_none) return copies_.forget();
     }
 }
@@ -179,8 +179,8 @@ Happening Interpreter::said_of_copy(Happening happening, const std::string& whol
 const Machine* Interpreter::last_known(const std::string& component, std::size_t steps) const {
     for (std::size_t i = steps + 1; i-- > 0;) {
         const std::vector<Machine>& machines = i == 0 ? run_.initial : run_.steps[i - 1].machines;
-        const auto found = std::find_if(machines.begin(), machines.end(),
-                                        [&](const Machine& each) { return each.component == component; });
+        const auto found =
+            std::ranges::find_if(machines, [&](const Machine& each) { return each.component == component; });
         if (found != machines.end()) return &*found;
     }
     return nullptr;
@@ -195,8 +195,8 @@ std::vector<Change> Interpreter::changes(std::size_t steps, const std::vector<Ma
         if (was == nullptr) continue;
         for (const Variable& variable : now.variables) {
             if (variable.kind != VariableKind::variable || !variable.value) continue;
-            const auto old = std::find_if(was->variables.begin(), was->variables.end(),
-                                          [&](const Variable& each) { return each.name == variable.name; });
+            const auto old =
+                std::ranges::find_if(was->variables, [&](const Variable& each) { return each.name == variable.name; });
             const auto value = old == was->variables.end() ? std::nullopt : old->value;
             if (value != variable.value) result.push_back({now.component, variable.name, value, *variable.value});
         }
@@ -478,11 +478,11 @@ EndKind Interpreter::end_kind() const {
 /// True if a composition makes writes visible; for a machine on its own it is false (semantics 3.10).
 bool Interpreter::writes_are_urgent() const {
     const std::vector<Machine>& machines = last_machines();
-    return std::any_of(counterexample_.offered.begin(), counterexample_.offered.end(), [&](process::Event offered) {
+    return std::ranges::any_of(counterexample_.offered, [&](process::Event offered) {
         const Event event = reader_.meanings().event(name(offered));
-        return event.kind == Kind::assignment &&
-               std::none_of(machines.begin(), machines.end(),
-                            [&](const Machine& machine) { return machine.component == event.component; });
+        return event.kind == Kind::assignment && std::ranges::none_of(machines, [&](const Machine& machine) {
+                   return machine.component == event.component;
+               });
     });
 }
 
@@ -497,8 +497,7 @@ std::vector<Cause> Interpreter::causes() const {
         if (offered.kind == Kind::call || (offered.kind == Kind::assignment && writes_are_urgent()))
             result.push_back({fmt::format("{} waits for the environment, which may refuse it", offered.text),
                               offered.component, offered.place});
-    const bool ended = std::find(counterexample_.offered.begin(), counterexample_.offered.end(), process::tick) !=
-                       counterexample_.offered.end();
+    const bool ended = std::ranges::find(counterexample_.offered, process::tick) != counterexample_.offered.end();
     if (result.empty() && ended) result.push_back({"it has terminated", "", std::nullopt});
     return result;
 }
@@ -597,9 +596,7 @@ std::vector<Event> Interpreter::refused() const {
     std::vector<Event> result;
     for (const process::EventSet& set : counterexample_.required)
         for (const process::Event event : set) {
-            if (std::find(counterexample_.offered.begin(), counterexample_.offered.end(), event) !=
-                counterexample_.offered.end())
-                continue;
+            if (std::ranges::find(counterexample_.offered, event) != counterexample_.offered.end()) continue;
             Event missing = reader_.meanings().event(name(event));
             if (!among(result, missing)) result.push_back(std::move(missing));
         }

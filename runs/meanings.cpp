@@ -92,25 +92,23 @@ Call common(const std::vector<Call>& alternatives) {
     auto merged = std::make_shared<DefinitionMeaning>(*result.definition);
     std::vector<std::string> texts;
     for (const Call& each : alternatives) {
-        if (std::find(texts.begin(), texts.end(), each.definition->text) == texts.end())
-            texts.push_back(each.definition->text);
+        if (std::ranges::find(texts, each.definition->text) == texts.end()) texts.push_back(each.definition->text);
         const auto& others = each.definition->active;
         std::erase_if(merged->active, [&](const ir::Origin& state) {
-            return std::none_of(others.begin(), others.end(),
-                                [&](const ir::Origin& other) { return other.element == state.element; });
+            return std::ranges::none_of(others,
+                                        [&](const ir::Origin& other) { return other.element == state.element; });
         });
         for (std::size_t i = 0; i < merged->parameters.size() && i < result.arguments.size(); ++i) {
             const auto& names = each.definition->parameters;
-            const auto same =
-                static_cast<std::size_t>(std::find(names.begin(), names.end(), merged->parameters[i]) - names.begin());
+            const auto same = static_cast<std::size_t>(std::ranges::find(names, merged->parameters[i]) - names.begin());
             const bool equal = same < each.arguments.size() && each.arguments[same] == result.arguments[i];
             if (!equal) merged->parameters[i].clear();
         }
     }
     std::erase_if(merged->remembered, [&](const std::string& name) {
-        return std::any_of(alternatives.begin(), alternatives.end(), [&](const Call& each) {
+        return std::ranges::any_of(alternatives, [&](const Call& each) {
             const auto& others = each.definition->remembered;
-            return std::find(others.begin(), others.end(), name) == others.end();
+            return std::ranges::find(others, name) == others.end();
         });
     });
     merged->text = fmt::format("{}", fmt::join(texts, " or "));
@@ -138,10 +136,10 @@ bool is_in_transition(const std::string& text, const std::string& name) {
 /// True if this transition or statement may have led the process to this definition.
 bool leads_to(const OfferMeaning& offer, const std::vector<Call>& after) {
     if (offer.target.empty()) return true;
-    return std::any_of(after.begin(), after.end(), [&](const Call& call) {
+    return std::ranges::any_of(after, [&](const Call& call) {
         const auto& active = call.definition->active;
-        const bool there = std::any_of(active.begin(), active.end(),
-                                       [&](const ir::Origin& state) { return state.element == offer.target; });
+        const bool there =
+            std::ranges::any_of(active, [&](const ir::Origin& state) { return state.element == offer.target; });
         return there || is_in_transition(call.definition->text, offer.name);
     });
 }

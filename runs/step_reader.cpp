@@ -17,9 +17,9 @@ constexpr std::size_t most_unfoldings = 20;
 /// it is still read.
 void add_remembered(const csp_emit::DefinitionMeaning& owner, Variable variable, Machine& machine) {
     const auto& read = owner.remembered;
-    const auto known = std::find_if(machine.variables.begin(), machine.variables.end(),
-                                    [&](const Variable& each) { return each.name == variable.name; });
-    if (known == machine.variables.end() && std::find(read.begin(), read.end(), variable.name) != read.end())
+    const auto known =
+        std::ranges::find_if(machine.variables, [&](const Variable& each) { return each.name == variable.name; });
+    if (known == machine.variables.end() && std::ranges::find(read, variable.name) != read.end())
         machine.variables.push_back(std::move(variable));
 }
 
@@ -35,7 +35,7 @@ bool same(const Event& one, const Event& other) {
 }
 
 bool among(const std::vector<Event>& events, const Event& event) {
-    return std::any_of(events.begin(), events.end(), [&](const Event& each) { return same(each, event); });
+    return std::ranges::any_of(events, [&](const Event& each) { return same(each, event); });
 }
 
 const std::vector<Call>& StepReader::calls_of(TermId term) {
@@ -87,10 +87,10 @@ Happening StepReader::happens(const std::vector<ComponentStep>& steps, const std
         const bool acts = each.event.kind != Kind::input && each.event.kind != Kind::external_write;
         return std::tuple(!each.known, !each.machine, !acts);
     };
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [&](const Candidate& one, const Candidate& other) { return rank(one) < rank(other); });
-    const auto tock = std::find_if(candidates.begin(), candidates.end(),
-                                   [](const Candidate& each) { return each.event.kind == Kind::tock; });
+    std::ranges::stable_sort(candidates,
+                             [&](const Candidate& one, const Candidate& other) { return rank(one) < rank(other); });
+    const auto tock =
+        std::ranges::find_if(candidates, [](const Candidate& each) { return each.event.kind == Kind::tock; });
     if (tock != candidates.end()) return {tock->event, {}};
     if (candidates.empty() || (!candidates.front().known && meanings_.knows(whole)))
         return {meanings_.event(whole), {}};

@@ -15,8 +15,7 @@
 namespace robochart::runs {
 
 std::int64_t Stepper::time() const {
-    return std::count_if(way_.begin(), way_.end(),
-                         [](const Taken& each) { return each.offer.happening.event.kind == Kind::tock; });
+    return std::ranges::count_if(way_, [](const Taken& each) { return each.offer.happening.event.kind == Kind::tock; });
 }
 
 std::vector<Offer> Stepper::offers_at(process::TermId state) const {
@@ -144,7 +143,7 @@ std::vector<Absence> Stepper::absences() {
         for (const ir::Machine& machine : reader_.context().system.machines) {
             for (const ir::Transition& each : machine.transitions) {
                 const std::string& source = machine.nodes[each.source.index].origin.element;
-                if (std::find(active.begin(), active.end(), source) == active.end()) continue;
+                if (std::ranges::find(active, source) == active.end()) continue;
                 const std::string element = element_in(standing.machine.component, each.origin.element);
                 if (offered.contains(element)) continue;
                 if (!ready) ready = ready_elements(standing);

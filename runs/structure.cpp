@@ -26,7 +26,7 @@ Parts present(const process::Behaviour& whole) {
 }
 
 bool offers(const process::Behaviour& part, process::Event event) {
-    return std::find(part.offered.begin(), part.offered.end(), event) != part.offered.end();
+    return std::ranges::find(part.offered, event) != part.offered.end();
 }
 
 /// The components of a part that offer the event, or all components if `event` is null.

@@ -15,7 +15,7 @@ namespace robochart::statistics {
 std::vector<double> ranks(const Block& costs) {
     std::vector<std::size_t> order(costs.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
     std::vector<double> result(costs.size());
     for (std::size_t i = 0; i < order.size();) {
         std::size_t end = i;

@@ -37,7 +37,7 @@ Permitted all_permitted(std::size_t states) {
 namespace {
 
 std::size_t permitted_of(const std::vector<bool>& row) {
-    return static_cast<std::size_t>(std::count(row.begin(), row.end(), true));
+    return static_cast<std::size_t>(std::ranges::count(row, true));
 }
 
 }  // namespace

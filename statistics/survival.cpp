@@ -10,7 +10,7 @@
 namespace robochart::statistics {
 
 std::vector<SurvivalStep> survival(std::vector<Duration> durations, double error) {
-    std::sort(durations.begin(), durations.end(), [](const Duration& a, const Duration& b) { return a.time < b.time; });
+    std::ranges::sort(durations, [](const Duration& a, const Duration& b) { return a.time < b.time; });
     const double deviations = normal_quantile(error / 2);
     std::vector<SurvivalStep> steps;
     double share = 1;
@@ -37,8 +37,7 @@ std::vector<SurvivalStep> survival(std::vector<Duration> durations, double error
 }
 
 std::optional<double> median(const std::vector<SurvivalStep>& steps) {
-    const auto half =
-        std::find_if(steps.begin(), steps.end(), [](const SurvivalStep& step) { return step.share <= 0.5; });
+    const auto half = std::ranges::find_if(steps, [](const SurvivalStep& step) { return step.share <= 0.5; });
     return half == steps.end() ? std::nullopt : std::optional(half->time);
 }
 

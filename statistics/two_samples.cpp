@@ -32,7 +32,7 @@ double fisher_exact(Sample one, Sample other) {
 std::vector<double> holm(const std::vector<double>& chances) {
     std::vector<std::size_t> order(chances.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return chances[a] < chances[b]; });
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return chances[a] < chances[b]; });
     std::vector<double> adjusted(chances.size());
     double least = 0;
     for (std::size_t rank = 0; rank < order.size(); ++rank) {

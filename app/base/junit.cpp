@@ -48,7 +48,7 @@ std::string said(const std::vector<JunitCase>& cases) {
 
 std::string junit_document(const std::string& suite, const std::vector<JunitCase>& cases) {
     const auto count = [&](JunitCase::Kind kind) {
-        return std::count_if(cases.begin(), cases.end(), [&](const JunitCase& each) { return each.kind == kind; });
+        return std::ranges::count_if(cases, [&](const JunitCase& each) { return each.kind == kind; });
     };
     double seconds = 0;
     for (const JunitCase& each : cases) seconds += each.seconds;

@@ -24,8 +24,7 @@ bool is_asked_for(const Options& options, Format format) {
 
 diagnostics::SarifRules about_log(const Options& options, const std::string& limit) {
     const auto& verbs = verb_table();
-    const auto verb =
-        std::find_if(verbs.begin(), verbs.end(), [&](const VerbRow& row) { return row.verb == options.verb; });
+    const auto verb = std::ranges::find_if(verbs, [&](const VerbRow& row) { return row.verb == options.verb; });
     return {program_version, fmt::format("{}/{}", full_name(*verb), fmt::join(options.inputs, " ")),
             [](const diagnostics::Rule& rule) { return read_page(page_text(rule.code)).title; }, limit};
 }

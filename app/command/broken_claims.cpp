@@ -83,7 +83,7 @@ public:
         for (const auto& each : file.probabilistic_assertions) items_.push_back({each.span.begin, each.span.end});
         for (const auto& each : file.probabilistic_definitions) items_.push_back({each.span.begin, each.span.end});
         for (const auto& each : file.kept) items_.push_back({each.whole.begin, each.whole.end});
-        std::sort(items_.begin(), items_.end(), [](const Item& a, const Item& b) { return a.begin < b.begin; });
+        std::ranges::sort(items_, [](const Item& a, const Item& b) { return a.begin < b.begin; });
     }
 
     [[nodiscard]] const std::vector<Item>& all() const { return items_; }
@@ -229,14 +229,14 @@ private:
             for (const diagnostics::Span span : spans) apart = items.touched_by(span, found, head) && apart;
             if (!items.all().empty()) items.beside_strays(head, found);
             // An error before all items, or in a definition that several claims use, affects the whole file.
-            apart = apart && std::all_of(found.begin(), found.end(), [](const Item& item) {
+            apart = apart && std::ranges::all_of(found, [](const Item& item) {
                         return item.claim != nullptr || item.block != nullptr;
                     });
             if (!apart) whole_.insert(index);
             for (const Item& item : apart ? found : items.all()) leave_out(item);
         }
-        return std::none_of(blocks_.begin(), blocks_.end(),
-                            [](const CspBlock* block) { return frontend::replaces_instantiations(*block); });
+        return std::ranges::none_of(blocks_,
+                                    [](const CspBlock* block) { return frontend::replaces_instantiations(*block); });
     }
 
     void leave_out(const Item& item) {
@@ -265,8 +265,7 @@ private:
 
     [[nodiscard]] bool uses_declared(const CspBlock& block) const {
         const std::vector<std::string> words = words_of(block.text);
-        return std::any_of(words.begin(), words.end(),
-                           [&](const std::string& word) { return declared_.contains(word); });
+        return std::ranges::any_of(words, [&](const std::string& word) { return declared_.contains(word); });
     }
 
     /// Adds the file to the side or sides that contain a part of it.

@@ -77,7 +77,7 @@ void add_verb(CLI::App& app, const VerbRow& row, Options& options) {
 
 bool names_a_verb(const std::string& word) {
     const std::vector<std::string> known = first_words();
-    return std::find(known.begin(), known.end(), word) != known.end();
+    return std::ranges::find(known, word) != known.end();
 }
 
 /// The possible meanings of a first word: the verbs, and the files in the current folder.
@@ -88,7 +88,7 @@ std::vector<std::string> verbs_and_files() {
     std::filesystem::directory_iterator at(".", code);
     for (const std::filesystem::directory_iterator end; !code && at != end && names.size() < most; at.increment(code))
         names.push_back(at->path().filename().string());
-    std::sort(names.begin(), names.end());  // so that the nearest name does not depend on the order in the folder
+    std::ranges::sort(names);  // so that the nearest name does not depend on the order in the folder
     return names;
 }
 
@@ -100,7 +100,7 @@ std::optional<Parsed> unknown_verb(const std::vector<std::string>& words) {
     std::error_code ignored;
     if (first == "emit" && words.size() > 1 && !words[1].starts_with("-")) {
         const std::vector<std::string> known = emitted_things();
-        if (std::find(known.begin(), known.end(), words[1]) != known.end()) return std::nullopt;
+        if (std::ranges::find(known, words[1]) != known.end()) return std::nullopt;
         const bool plus = words[1] == "c++" || words[1] == "cxx" || words[1] == "C++";
         return wrong_usage(fmt::format("emit writes no '{}'{}", words[1],
                                        plus ? "; did you mean 'cpp'?" : did_you_mean(words[1], known)),
@@ -148,7 +148,7 @@ std::string version_text() {
 /// A verb without the option --no-cache has no cache.
 bool has_cache(Verb verb) {
     const std::vector<const OptionRow*> rows = options_of(of(verb));
-    return std::any_of(rows.begin(), rows.end(), [](const OptionRow* row) { return long_name(*row) == "--no-cache"; });
+    return std::ranges::any_of(rows, [](const OptionRow* row) { return long_name(*row) == "--no-cache"; });
 }
 
 /// The message about an option that the verb does not have: the nearest option of the verb, or the verbs that have it.
@@ -264,7 +264,7 @@ Parsed parse_command_line(int argc, const char* const* argv) {
         // `robochart-verify MODEL` means `robochart-verify verify MODEL`; the first word decides.
         if (!names_a_verb(words.front())) words.insert(words.begin(), "verify");
     }
-    std::reverse(words.begin(), words.end());
+    std::ranges::reverse(words);
     try {
         app.parse(words);
     } catch (const CLI::Error& error) {

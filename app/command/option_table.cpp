@@ -63,8 +63,7 @@ std::string full_name(const VerbRow& row) {
 
 const VerbRow* find_verb(std::string_view name) {
     const auto& rows = verb_table();
-    const auto row =
-        std::find_if(rows.begin(), rows.end(), [&](const VerbRow& each) { return full_name(each) == name; });
+    const auto row = std::ranges::find_if(rows, [&](const VerbRow& each) { return full_name(each) == name; });
     return row == rows.end() ? nullptr : &*row;
 }
 
@@ -72,7 +71,7 @@ std::vector<std::string> first_words() {
     std::vector<std::string> words;
     for (const VerbRow& row : verb_table()) {
         const std::string word = row.parent[0] == '\0' ? row.name : row.parent;
-        if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+        if (std::ranges::find(words, word) == words.end()) words.push_back(word);
     }
     return words;
 }
@@ -118,7 +117,7 @@ using Kind = Argument::Kind;
 /// The index of the choice.
 std::size_t index_of(const std::string& word, const char* words) {
     const std::vector<std::string> all = choices_of({.choices = words});
-    return static_cast<std::size_t>(std::find(all.begin(), all.end(), word) - all.begin());
+    return static_cast<std::size_t>(std::ranges::find(all, word) - all.begin());
 }
 
 std::uint64_t number(const std::string& word) {
@@ -538,7 +537,7 @@ std::vector<std::string> choices_of(const Argument& argument) {
 std::size_t words_behind(const Argument& argument) {
     const std::string_view name = argument.name;
     if (argument.kind == Argument::Kind::none) return 0;
-    return 1 + static_cast<std::size_t>(std::count(name.begin(), name.end(), ' '));
+    return 1 + static_cast<std::size_t>(std::ranges::count(name, ' '));
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
@@ -561,8 +560,7 @@ bool parse_whole(std::string_view text, std::uint64_t& value) {
 bool parse_size(std::string_view text, std::uint64_t& bytes) {
     const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
     std::string unit(text.substr(digits));
-    std::transform(unit.begin(), unit.end(), unit.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::ranges::transform(unit, unit.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
     constexpr std::string_view letters = "kmgtpe";
     std::size_t power = 0;
@@ -613,7 +611,7 @@ std::string wrong_number(const Argument& wanted, std::string& word) {
 
 std::string wrong_choice(const Argument& wanted, const std::string& word) {
     const std::vector<std::string> known = choices_of(wanted);
-    if (std::find(known.begin(), known.end(), word) != known.end()) return "";
+    if (std::ranges::find(known, word) != known.end()) return "";
     return fmt::format("'{}' is none of {}{}", word, fmt::join(known, ", "), did_you_mean(word, known));
 }
 
@@ -628,9 +626,8 @@ std::string wrong_fraction(const std::string& word) {
 std::string wrong_warning(std::string& code) {
     const auto warns = [](const std::string& each) {
         const auto rules = find_rules(each);
-        return std::any_of(rules.begin(), rules.end(), [](const diagnostics::Rule* rule) {
-            return rule->severity == diagnostics::Severity::warning;
-        });
+        return std::ranges::any_of(
+            rules, [](const diagnostics::Rule* rule) { return rule->severity == diagnostics::Severity::warning; });
     };
     std::vector<std::string> meant_codes = codes_meant(code);
     std::erase_if(meant_codes, [&](const std::string& each) { return !warns(each); });

@@ -144,8 +144,7 @@ void complete(const std::vector<Part>& parts, const Options& options) {
             return ir::names_constant(each.project->system, name);
         };
         std::erase_if(wanted.constants, [&](const auto& constant) {
-            const auto known =
-                std::any_of(parts.begin(), parts.end(), [&](const Part& each) { return has(each, constant.first); });
+            const auto known = std::ranges::any_of(parts, [&](const Part& each) { return has(each, constant.first); });
             return !has(part, constant.first) && (known || !lowered || &part != &parts.front());
         });
         all = make_finite(*part.project, options, wanted) && all;
@@ -156,8 +155,7 @@ void complete(const std::vector<Part>& parts, const Options& options) {
 /// The file that a unit is named after: its first model, or the assertion file that distinguishes it.
 fs::path naming_file(const Project& whole, const frontend::Unit& unit) {
     const auto path = [&](std::size_t file) { return whole.sources.path(whole.model->files[file]->source); };
-    const auto model = std::find_if(unit.files.begin(), unit.files.end(),
-                                    [&](std::size_t file) { return path(file).ends_with(".rct"); });
+    const auto model = std::ranges::find_if(unit.files, [&](std::size_t file) { return path(file).ends_with(".rct"); });
     return path(unit.again ? unit.files.back() : model == unit.files.end() ? unit.files.front() : *model);
 }
 
@@ -198,8 +196,7 @@ std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& uni
     // in another part.
     const std::set<diagnostics::SourceId> own(texts.begin(), texts.end());
     const auto wrong = [&](diagnostics::SourceId text) { return whole.diagnostics.has_errors_in(text); };
-    if (!part->diagnostics.ok() && std::any_of(own.begin(), own.end(), wrong))
-        part->diagnostics = whole.diagnostics.about(own);
+    if (!part->diagnostics.ok() && std::ranges::any_of(own, wrong)) part->diagnostics = whole.diagnostics.about(own);
     return part;
 }
 
@@ -252,7 +249,7 @@ void label(const std::vector<Part>& parts) {
             for (const ir::ComponentRef& ref : all_components(part.project->system))
                 owners[ref.path].insert(part.project.get());
     const auto clash = [](const auto& entry) { return entry.second.size() > 1; };
-    if (std::none_of(owners.begin(), owners.end(), clash)) return;
+    if (std::ranges::none_of(owners, clash)) return;
     for (const Part& part : parts) {
         part.project->label = part.project->name + ": ";
         part.project->folder = part.project->name + "/";
@@ -262,7 +259,7 @@ void label(const std::vector<Part>& parts) {
 /// True if there are errors without a place in a text, so that no part can be processed.
 bool cannot_be_read(const diagnostics::Diagnostics& diagnostics) {
     const std::vector<diagnostics::Diagnostic> all = diagnostics.sorted();
-    return std::any_of(all.begin(), all.end(), [](const diagnostics::Diagnostic& finding) {
+    return std::ranges::any_of(all, [](const diagnostics::Diagnostic& finding) {
         return finding.rule->severity == diagnostics::Severity::error && !finding.span.known();
     });
 }
@@ -328,7 +325,7 @@ csp_emit::Swarm swarm_of(const Options& options, diagnostics::SourceManager& sou
 std::vector<std::string> claim_names(const Project& whole, const Options& options) {
     std::vector<std::string> names;
     const auto add = [&](const std::string& name) {
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     };
     if (!options.swarm.empty()) {
         diagnostics::SourceManager sources;
@@ -379,12 +376,12 @@ void read_blocks(const Part& part, const Options& options) {
 
 /// True if every name is that of a claim in some assertion file.
 bool are_claimed(const std::vector<Part>& parts, const std::vector<std::string>& names) {
-    return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
-        return std::any_of(parts.begin(), parts.end(), [&](const Part& part) {
+    return std::ranges::all_of(names, [&](const std::string& name) {
+        return std::ranges::any_of(parts, [&](const Part& part) {
             const auto& files = part.project->model->files;
-            return std::any_of(files.begin(), files.end(), [&](const auto& file) {
-                return std::any_of(file->assertions.begin(), file->assertions.end(),
-                                   [&](const frontend::Assertion& claim) { return claim.name == name; });
+            return std::ranges::any_of(files, [&](const auto& file) {
+                return std::ranges::any_of(file->assertions,
+                                           [&](const frontend::Assertion& claim) { return claim.name == name; });
             });
         });
     });
@@ -451,18 +448,17 @@ std::vector<Part> read_parts(const Options& options) {
 
 bool asked_for(const Options& options, const std::string& claim) {
     const std::vector<std::string>& claims = options.claims;
-    return claims.empty() || std::find(claims.begin(), claims.end(), claim) != claims.end();
+    return claims.empty() || std::ranges::find(claims, claim) != claims.end();
 }
 
 bool core_wanted(const Part& part, const Options& options) {
     const Project& project = *part.project;
     const bool checks = decides_assertions(options.verb);
     const auto& files = project.model->files;
-    const bool claims =
-        !project.system.properties.empty() || std::any_of(files.begin(), files.end(), [](const auto& file) {
-            return !file->probabilistic_assertions.empty() ||
-                   std::any_of(file->kept.begin(), file->kept.end(), [](const auto& kept) { return kept.claims; });
-        });
+    const bool claims = !project.system.properties.empty() || std::ranges::any_of(files, [](const auto& file) {
+        return !file->probabilistic_assertions.empty() ||
+               std::ranges::any_of(file->kept, [](const auto& kept) { return kept.claims; });
+    });
     const bool instead = checks && !claims && options.claims.empty() && !options.sizes;
     return !part.again && (options.core || instead) && options.swarm.empty();
 }
@@ -471,8 +467,7 @@ namespace {
 
 /// True if a NAME=VALUE option sets this name.
 bool is_set(const std::vector<std::string>& options, const std::string& name) {
-    return std::any_of(options.begin(), options.end(),
-                       [&](const std::string& each) { return each.starts_with(name + "="); });
+    return std::ranges::any_of(options, [&](const std::string& each) { return each.starts_with(name + "="); });
 }
 
 }  // namespace
@@ -551,7 +546,7 @@ std::string files_inside(const std::string& folder, std::string_view ending) {
     for (const fs::directory_iterator end; !code && at != end; at.increment(code))
         if (const std::string name = at->path().filename().string(); name.ends_with(ending)) names.push_back(name);
     if (names.empty()) return "";
-    std::sort(names.begin(), names.end());
+    std::ranges::sort(names);
     constexpr std::size_t few = 3;
     const std::size_t more = names.size() > few ? names.size() - few : 0;
     names.resize(names.size() - more);
@@ -588,7 +583,7 @@ void check_component(const std::vector<Part>& parts, const Options& options) {
         for (const ir::ComponentRef& ref : all_components(part.project->system)) known.push_back(ref.path);
     }
     const std::string meant = diagnostics::nearest(options.component, known);
-    std::sort(known.begin(), known.end());
+    std::ranges::sort(known);
     known.erase(std::unique(known.begin(), known.end()), known.end());
     constexpr std::size_t few = 8;
     const std::string help = !meant.empty()        ? fmt::format("; did you mean '{}'?", meant)
@@ -616,11 +611,9 @@ Exit refusal(const Project& project) {
     // Errors caused by the text of the model have a place in it.
     const auto about_the_model = [&](const diagnostics::Diagnostic& each) {
         return each.rule->severity == diagnostics::Severity::error &&
-               (each.span.known() ||
-                std::find(about_options.begin(), about_options.end(), each.rule) == about_options.end());
+               (each.span.known() || std::ranges::find(about_options, each.rule) == about_options.end());
     };
-    return project.diagnostics.ok() || std::any_of(all.begin(), all.end(), about_the_model) ? Exit::bad_input
-                                                                                            : Exit::usage;
+    return project.diagnostics.ok() || std::ranges::any_of(all, about_the_model) ? Exit::bad_input : Exit::usage;
 }
 
 bool acceptable(const Project& project, const Options& options) {

@@ -74,7 +74,7 @@ Run::~Run() {
 
 refine::LevelStrategy* Run::kept_searches(const Options& options) {
     const std::vector<std::string> named{options.disk, options.resume, options.checkpoint};
-    const auto folder = std::find_if(named.begin(), named.end(), [](const auto& each) { return !each.empty(); });
+    const auto folder = std::ranges::find_if(named, [](const auto& each) { return !each.empty(); });
     if (folder == named.end()) return nullptr;
     if (kept_searches_) return kept_searches_.get();
     for (const std::string& other : named)

@@ -158,10 +158,11 @@ void ReportPage::head() {
         counts.push_back(fmt::format("{} hold, {} fail", report_.count(Answer::holds), report_.count(Answer::fails)));
     if (const auto& code = report_.conformance; !code.empty())
         counts.push_back(fmt::format("{} of {} components conform",
-                                     std::count_if(code.begin(), code.end(),
-                                                   [](const ConformanceReport& each) {
-                                                       return each.result.outcome == conformance::Outcome::conforms;
-                                                   }),
+                                     std::ranges::count_if(code,
+                                                           [](const ConformanceReport& each) {
+                                                               return each.result.outcome ==
+                                                                      conformance::Outcome::conforms;
+                                                           }),
                                      code.size()));
     if (!report_.refused.empty()) counts.emplace_back("refused, with errors");
     if (!report_.limit.empty())
@@ -291,16 +292,16 @@ std::string does(const runs::Step& step, const std::string& component) {
 }
 
 const runs::Machine* find(const std::vector<runs::Machine>& machines, const std::string& component) {
-    const auto found = std::find_if(machines.begin(), machines.end(),
-                                    [&](const runs::Machine& each) { return each.component == component; });
+    const auto found =
+        std::ranges::find_if(machines, [&](const runs::Machine& each) { return each.component == component; });
     return found == machines.end() ? nullptr : &*found;
 }
 
 /// The last part of the name if it is unique, otherwise all parts but the first.
 std::string ReportPage::lane(const std::string& component) const {
     const auto last = [](const std::string& name) { return name.substr(name.rfind(':') + 1); };
-    const auto alike = std::count_if(machines_.begin(), machines_.end(),
-                                     [&](const auto& each) { return last(each.first) == last(component); });
+    const auto alike =
+        std::ranges::count_if(machines_, [&](const auto& each) { return last(each.first) == last(component); });
     const std::size_t whole = component.find("::");
     return alike == 1 ? last(component) : component.substr(whole == std::string::npos ? 0 : whole + 2);
 }
@@ -317,11 +318,9 @@ std::string ReportPage::values(const std::vector<runs::Machine>& before,
         diagnostics::Json list = diagnostics::Json::array();
         for (const runs::Variable& each : is->variables) {
             if (each.kind == runs::VariableKind::constant || !each.value) continue;
-            const bool same =
-                was != nullptr &&
-                std::any_of(was->variables.begin(), was->variables.end(), [&](const runs::Variable& other) {
-                    return other.name == each.name && other.value == each.value;
-                });
+            const bool same = was != nullptr && std::ranges::any_of(was->variables, [&](const runs::Variable& other) {
+                                  return other.name == each.name && other.value == each.value;
+                              });
             list.push_back({each.name, *each.value, was != nullptr && !same});
         }
         all[fmt::format("{}", i)] = std::move(list);
@@ -449,8 +448,8 @@ void ReportPage::replay(const std::string& id, const runs::Run& run) {
     timed_ = run.timed;
     const auto add = [&](const std::vector<runs::Machine>& machines) {
         for (const runs::Machine& each : machines) {
-            const auto known = std::any_of(machines_.begin(), machines_.end(),
-                                           [&](const auto& pair) { return pair.first == each.component; });
+            const auto known =
+                std::ranges::any_of(machines_, [&](const auto& pair) { return pair.first == each.component; });
             if (!known) machines_.emplace_back(each.component, each.machine);
         }
     };
@@ -540,7 +539,7 @@ std::set<std::string> ReportPage::unexercised() const {
         const std::vector<std::string>& never = each.core->unexercised;
         result.insert(never.begin(), never.end());
         for (const std::string& element : each.core->elements)
-            if (std::find(never.begin(), never.end(), element) == never.end()) exercised.insert(element);
+            if (std::ranges::find(never, element) == never.end()) exercised.insert(element);
     }
     for (const std::string& each : exercised) result.erase(each);
     return result;

@@ -56,9 +56,9 @@ namespace {
 std::set<std::string> paths_of(const Project& project) {
     std::set<std::string> paths;
     for (std::size_t i = 0; i < project.sources.size(); ++i)
-        if (project.model &&
-            std::any_of(project.model->files.begin(), project.model->files.end(),
-                        [&](const auto& file) { return file->source == static_cast<diagnostics::SourceId>(i); }))
+        if (project.model && std::ranges::any_of(project.model->files, [&](const auto& file) {
+                return file->source == static_cast<diagnostics::SourceId>(i);
+            }))
             paths.emplace(project.sources.path(static_cast<diagnostics::SourceId>(i)));
     return paths;
 }
@@ -138,7 +138,7 @@ std::vector<PartDiagrams::Drawn> PartDiagrams::operations(const std::set<std::st
         const frontend::Declaration* const declared = each.subject.component;
         if (declared == nullptr || declared->kind != frontend::DeclKind::operation) continue;
         std::string diagram = drawn(each, fmt::format("{}{}-", prefix, result.size()), classes);
-        if (std::any_of(elements.begin(), elements.end(), [&](const std::string& id) {
+        if (std::ranges::any_of(elements, [&](const std::string& id) {
                 return diagram.find(fmt::format("data-element=\"{}\"", id)) != std::string::npos;
             }))
             result.push_back({declared->name, std::move(diagram)});

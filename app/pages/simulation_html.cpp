@@ -436,7 +436,7 @@ void SimulationPage::trials() {
 
 void SimulationPage::trial(std::size_t number) {
     const simulation::TrialResult& trial = result_.trials[number];
-    const auto found = std::find(shown_.trials.begin(), shown_.trials.end(), number);
+    const auto found = std::ranges::find(shown_.trials, number);
     const std::string name = fmt::format("{}", number + 1);
     out_ += fmt::format("<tr><td>{}</td><td class=\"number\">{}</td>",
                         found == shown_.trials.end() ? name : fmt::format("<a href=\"#trial/{0}\">{0}</a>", name),

@@ -49,11 +49,11 @@ ShownTrials shown_trials(const simulation::Scenario& scenario, const simulation:
     const std::size_t frames = std::max<std::size_t>(2, most_letters / letters);
     const std::size_t wanted = std::min(enough_frames, std::max<std::size_t>(recorded, 1));
     const std::size_t trials = std::clamp<std::size_t>(frames / wanted, 1, most_trials);
-    std::stable_sort(shown.trials.begin(), shown.trials.end(), [&](std::size_t a, std::size_t b) {
+    std::ranges::stable_sort(shown.trials, [&](std::size_t a, std::size_t b) {
         return rank(scenario, result.trials[a]) < rank(scenario, result.trials[b]);
     });
     if (shown.trials.size() > trials) shown.trials.resize(trials);
-    std::sort(shown.trials.begin(), shown.trials.end());
+    std::ranges::sort(shown.trials);
     const std::size_t each = std::max<std::size_t>(2, frames / std::max<std::size_t>(1, shown.trials.size()));
     shown.every = simulation::thinning(recorded, each);
     return shown;

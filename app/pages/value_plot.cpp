@@ -32,7 +32,7 @@ std::optional<Point> point(const ProbabilityReport& report, const probability::R
     const auto constants = varying(report, row);
     if (constants.size() != 1 || row.results.empty()) return std::nullopt;
     const auto x = number(constants.front().second);
-    const bool numbers = std::all_of(row.results.begin(), row.results.end(), [](const prism::Result& each) {
+    const bool numbers = std::ranges::all_of(row.results, [](const prism::Result& each) {
         return each.kind == prism::Result::Kind::number && std::isfinite(each.low.bounds().high);
     });
     if (!x || !numbers) return std::nullopt;
@@ -46,7 +46,7 @@ std::vector<Point> points(const ProbabilityReport& report) {
         if (!one) return {};
         result.push_back(*one);
     }
-    std::sort(result.begin(), result.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
+    std::ranges::sort(result, [](const Point& a, const Point& b) { return a.x < b.x; });
     return result;
 }
 
@@ -69,8 +69,8 @@ std::string value_plot(const ProbabilityReport& report) {
     };
     std::string line;
     for (const Point& each : all) line += at(each.x, each.high);
-    const bool band = std::any_of(report.rows.begin(), report.rows.end(),
-                                  [](const probability::Row& row) { return row.results.size() > 1; });
+    const bool band =
+        std::ranges::any_of(report.rows, [](const probability::Row& row) { return row.results.size() > 1; });
     for (auto each = all.rbegin(); band && each != all.rend(); ++each) line += at(each->x, each->low);
     const auto label = [](double x, double y, const char* anchor, const std::string& text) {
         return fmt::format(

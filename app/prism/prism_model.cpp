@@ -80,11 +80,10 @@ Experiment experiment(const LoadedModel& loaded, const Options& options) {
         for (const std::string& text : options.constants)
             for (prism::Series& each : prism::read_series(text, open)) {
                 const auto same = [&](const auto& other) { return other.name == each.name; };
-                if (std::any_of(model.begin(), model.end(), same) ||
-                    std::any_of(properties.begin(), properties.end(), same))
+                if (std::ranges::any_of(model, same) || std::ranges::any_of(properties, same))
                     throw prism::BadValue(fmt::format("'{}' is given twice", each.name));
-                const bool in_model = std::any_of(of_model.begin(), of_model.end(),
-                                                  [&](const auto& c) { return c.name.text == each.name; });
+                const bool in_model =
+                    std::ranges::any_of(of_model, [&](const auto& c) { return c.name.text == each.name; });
                 (in_model ? model : properties).push_back(std::move(each));
             }
         return {prism::combinations(model), prism::combinations(properties)};

@@ -42,8 +42,7 @@ std::string parameter_of(const ValuesByName& values) {
     std::string result;
     std::size_t most = 1;
     for (const auto& [name, all] : values) {
-        const bool numeric =
-            std::all_of(all.begin(), all.end(), [](const std::string& text) { return number(text).has_value(); });
+        const bool numeric = std::ranges::all_of(all, [](const std::string& text) { return number(text).has_value(); });
         if (!numeric || all.size() <= most) continue;
         result = name;
         most = all.size();
@@ -85,7 +84,7 @@ std::string prism_plot(const PrismReport& report) {
     if (lines.empty()) return "";
     simulation::LinePlot plot{report.model, parameter, {}};
     for (auto& [key, points] : lines) {
-        std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+        std::ranges::stable_sort(points, [](const auto& a, const auto& b) { return a.x < b.x; });
         const PrismProperty& property = report.properties[key.first];
         plot.lines.push_back({(property.name.empty() ? property.text : property.name) + key.second, points});
     }

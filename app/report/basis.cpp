@@ -16,7 +16,7 @@ std::string_view name_of(GroundKind kind) {
 }
 
 void add(Basis& basis, Ground ground) {
-    if (std::find(basis.begin(), basis.end(), ground) == basis.end()) basis.push_back(std::move(ground));
+    if (std::ranges::find(basis, ground) == basis.end()) basis.push_back(std::move(ground));
 }
 
 void set_place(const diagnostics::SourceManager& sources, diagnostics::Span span, Ground& ground) {

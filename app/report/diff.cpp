@@ -95,7 +95,7 @@ std::vector<Edit> Search::trace() const {
         else
             add('+', x, --y);
     }
-    std::reverse(edits.begin(), edits.end());
+    std::ranges::reverse(edits);
     return edits;
 }
 

@@ -293,7 +293,7 @@ std::vector<std::string> names_of(const PrismReport& report) {
     std::vector<std::string> names;
     const auto add = [&](const NamedValues& constants) {
         for (const auto& [name, value] : constants)
-            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+            if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     };
     for (const PrismRun& run : report.runs) {
         add(run.constants);

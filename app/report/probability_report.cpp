@@ -76,8 +76,7 @@ Json row_json(const Row& row) {
         if (sampled.kind == Kind::number) json.update(interval_json(sampled));
         return json;
     }
-    const bool values =
-        std::all_of(row.results.begin(), row.results.end(), [](const auto& each) { return each.kind == Kind::number; });
+    const bool values = std::ranges::all_of(row.results, [](const auto& each) { return each.kind == Kind::number; });
     if (!values || row.results.empty()) return json;
     if (row.results.size() == 1) {
         json.update(real_json(row.results.front().low));
@@ -92,8 +91,8 @@ Json row_json(const Row& row) {
 
 std::string row_text(const Row& row) {
     if (!row.error.empty()) return "error: " + row.error;
-    const auto open = std::find_if(row.results.begin(), row.results.end(),
-                                   [](const prism::Result& each) { return each.kind == Kind::unknown; });
+    const auto open =
+        std::ranges::find_if(row.results, [](const prism::Result& each) { return each.kind == Kind::unknown; });
     if (open != row.results.end()) return result_text(*open);
     if (row.path)
         return fmt::format("a random path of {} steps{}", row.path->steps.size(),
@@ -115,20 +114,20 @@ std::string path_text(const Row& row, const std::string& indent) {
 std::vector<std::pair<std::string, std::string>> varying(const ProbabilityReport& report, const Row& row) {
     std::vector<std::pair<std::string, std::string>> result;
     for (std::size_t i = 0; i < row.constants.size(); ++i)
-        if (std::any_of(report.rows.begin(), report.rows.end(),
-                        [&](const Row& other) { return other.constants[i].second != row.constants[i].second; }))
+        if (std::ranges::any_of(report.rows,
+                                [&](const Row& other) { return other.constants[i].second != row.constants[i].second; }))
             result.push_back(row.constants[i]);
     return result;
 }
 
 std::string reading_of(const ProbabilityReport& report) {
     const auto sampled = [](const Row& row) {
-        return row.path || std::any_of(row.results.begin(), row.results.end(),
-                                       [](const prism::Result& each) { return each.estimate.has_value(); });
+        return row.path ||
+               std::ranges::any_of(row.results, [](const prism::Result& each) { return each.estimate.has_value(); });
     };
     if (report.encoding == "robotool")
         return fmt::format("{} RoboTool's encoding, where all possible steps are equally likely and bounds count steps",
-                           std::any_of(report.rows.begin(), report.rows.end(), sampled) ? "by random paths in" : "in");
+                           std::ranges::any_of(report.rows, sampled) ? "by random paths in" : "in");
     const std::string who = report.scheduler == "any" ? "over all schedulers"
                             : report.scheduler == "urgent"
                                 ? "over the schedulers by which inputs and time wait for all that needs neither"

@@ -55,7 +55,7 @@ std::string sets(const Names& names, const std::vector<process::EventSet>& list)
 }
 
 std::string not_allowed(const refine::Counterexample& c, const Names& names, const std::string& event) {
-    const bool ends = std::all_of(c.required.begin(), c.required.end(), [](const auto& each) { return each.empty(); });
+    const bool ends = std::ranges::all_of(c.required, [](const auto& each) { return each.empty(); });
     if (ends) return fmt::format("where the specification allows no event, so not {}", event);
     return fmt::format("where the specification does not allow {}, only {}", event, sets(names, c.required));
 }

@@ -275,7 +275,7 @@ std::string closing(const Report& report) {
     const auto count = [&](Answer answer) { return report.count(answer); };
     std::vector<std::string> parts;
     if (!report.assertions.empty()) {
-        const auto decisive = std::count_if(report.assertions.begin(), report.assertions.end(), [](const auto& a) {
+        const auto decisive = std::ranges::count_if(report.assertions, [](const auto& a) {
             return a.answer != Answer::no_check && a.answer != Answer::computed && !(a.core && a.core->information);
         });
         if (decisive > 0 || count(Answer::computed) == 0)
@@ -291,16 +291,14 @@ std::string closing(const Report& report) {
         if (count(Answer::no_check) > 0) parts.push_back(fmt::format("{} without a check", count(Answer::no_check)));
     }
     if (!report.conformance.empty()) {
-        const auto good = std::count_if(report.conformance.begin(), report.conformance.end(), [](const auto& c) {
-            return c.result.outcome == conformance::Outcome::conforms;
-        });
+        const auto good = std::ranges::count_if(
+            report.conformance, [](const auto& c) { return c.result.outcome == conformance::Outcome::conforms; });
         parts.push_back(fmt::format("{} of {} controllers conform", good, report.conformance.size()));
     }
     if (!report.refused.empty()) {
         std::vector<std::string> names;
         for (const RefusedReport& each : report.refused)
-            if (std::string name = diagnostics::shown(each.model);
-                std::find(names.begin(), names.end(), name) == names.end())
+            if (std::string name = diagnostics::shown(each.model); std::ranges::find(names, name) == names.end())
                 names.push_back(std::move(name));
         parts.push_back(fmt::format("refused, with errors: {}", fmt::join(names, ", ")));
     }
@@ -331,14 +329,13 @@ std::string_view answer_word(Answer answer) {
 const std::string_view indent_of_runs = "                 ";
 
 std::size_t Report::count(Answer answer) const {
-    return static_cast<std::size_t>(std::count_if(assertions.begin(), assertions.end(), [&](const auto& a) {
-        return a.answer == answer && !(a.core && a.core->information);
-    }));
+    return static_cast<std::size_t>(std::ranges::count_if(
+        assertions, [&](const auto& a) { return a.answer == answer && !(a.core && a.core->information); }));
 }
 
 bool Report::all_decided() const {
     return limit.empty() && refused.empty() && !nothing_checked &&
-           std::none_of(assertions.begin(), assertions.end(), [](const AssertionReport& each) {
+           std::ranges::none_of(assertions, [](const AssertionReport& each) {
                return each.answer == Answer::inconclusive || each.answer == Answer::error;
            });
 }
@@ -346,7 +343,7 @@ bool Report::all_decided() const {
 std::string Report::advice() const {
     const auto met = [&](std::string_view words) {
         return limit.find(words) != std::string::npos ||
-               std::any_of(assertions.begin(), assertions.end(), [&](const AssertionReport& each) {
+               std::ranges::any_of(assertions, [&](const AssertionReport& each) {
                    return each.answer == Answer::inconclusive && each.reason.find(words) != std::string::npos;
                });
     };
@@ -366,8 +363,7 @@ std::string Report::advice() const {
 Exit Report::exit() const {
     const auto any = [&](Answer answer) { return count(answer) > 0; };
     const auto code = [&](conformance::Outcome outcome) {
-        return std::any_of(conformance.begin(), conformance.end(),
-                           [&](const auto& c) { return c.result.outcome == outcome; });
+        return std::ranges::any_of(conformance, [&](const auto& c) { return c.result.outcome == outcome; });
     };
     if (nothing_checked || !refused.empty() || any(Answer::error) || code(conformance::Outcome::not_generated) ||
         code(conformance::Outcome::error))
@@ -487,8 +483,8 @@ std::string legend(const Report& report, const Options& options) {
     const auto shown = [&](const AssertionReport& a) {
         return !(a.core && a.core->information) && (!options.quiet || a.answer != Answer::holds || !a.basis.empty());
     };
-    const bool known = std::any_of(report.assertions.begin(), report.assertions.end(),
-                                   [&](const auto& a) { return shown(a) && has_statistics(a) && !a.searched; });
+    const bool known = std::ranges::any_of(report.assertions,
+                                           [&](const auto& a) { return shown(a) && has_statistics(a) && !a.searched; });
     return known ? "\nknown: an earlier run has decided it; --no-cache decides it again\n" : "";
 }
 

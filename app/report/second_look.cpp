@@ -74,7 +74,7 @@ SecondLook::Seen SecondLook::looked(const ExprPtr& process) {
             options_.run->budget().poll();
         });
         const lts::TauComponents taus = lts::tau_components(all.graph);
-        seen.diverges = std::find(taus.cyclic.begin(), taus.cyclic.end(), true) != taus.cyclic.end();
+        seen.diverges = std::ranges::find(taus.cyclic, true) != taus.cyclic.end();
         std::set<lts::Event> events;
         std::vector<bool> ended(all.graph.size()), halted(all.graph.size());
         for (lts::StateIndex state = 0; state < all.graph.size(); ++state) {

@@ -29,7 +29,7 @@ Ground ground_of(const Project& project, const ir::Transition& transition) {
     std::vector<std::string> parts;
     for (const ir::ExprPtr& part : left_open) {
         std::string text = written(project.sources, part->span);
-        if (std::find(parts.begin(), parts.end(), text) == parts.end()) parts.push_back(std::move(text));
+        if (std::ranges::find(parts, text) == parts.end()) parts.push_back(std::move(text));
     }
     Ground ground;
     ground.kind = GroundKind::guard;

@@ -84,8 +84,8 @@ public:
     }
 
     [[nodiscard]] bool decided() const override {
-        return std::none_of(robots_.begin(), robots_.end(),
-                            [](const Robot& each) { return each.given_up || !each.run.open().empty(); });
+        return std::ranges::none_of(robots_,
+                                    [](const Robot& each) { return each.given_up || !each.run.open().empty(); });
     }
 
 private:
@@ -154,7 +154,7 @@ void RuleGuard::leave_out() {
         if (rule.assumed) return true;
         std::vector<std::size_t> events{rule.trigger};
         events_of(rule.duty, events);
-        const auto missing = std::find_if(events.begin(), events.end(), [&](std::size_t each) { return !has_[each]; });
+        const auto missing = std::ranges::find_if(events, [&](std::size_t each) { return !has_[each]; });
         if (missing == events.end()) return false;
         left_out_.push_back(fmt::format("{}: the controller has no event and no operation '{}'",
                                         rule.written->name.text, rules_.event(*missing)));

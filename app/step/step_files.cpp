@@ -288,7 +288,7 @@ std::optional<std::string> log_word(const runs::Event& event, std::string name, 
     std::string word = name + (log_role(event) == LogRole::input ? "?" : "!");
     for (std::size_t i = 0; i < event.values.size(); ++i) {
         const std::string& text = event.values[i].text;
-        const bool plain = std::all_of(text.begin(), text.end(), [](char c) {
+        const bool plain = std::ranges::all_of(text, [](char c) {
             return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
         });
         if (!plain) return std::nullopt;

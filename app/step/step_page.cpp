@@ -94,8 +94,8 @@ public:
 private:
     std::size_t text(const std::string& text) { return strings_.number(text); }
     [[nodiscard]] std::size_t instance(const std::string& component) const {
-        const auto found = std::find_if(instances_.begin(), instances_.end(),
-                                        [&](const Instance& each) { return each.component == component; });
+        const auto found =
+            std::ranges::find_if(instances_, [&](const Instance& each) { return each.component == component; });
         return static_cast<std::size_t>(found - instances_.begin());
     }
 

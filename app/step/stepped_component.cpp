@@ -12,8 +12,8 @@ namespace robochart::app {
 namespace {
 
 const cspm::ExprPtr& process_of(const csp_emit::Emission& emission, const std::string& name) {
-    const auto found = std::find_if(emission.components.begin(), emission.components.end(),
-                                    [&](const csp_emit::ComponentProcesses& each) { return each.path == name; });
+    const auto found = std::ranges::find_if(
+        emission.components, [&](const csp_emit::ComponentProcesses& each) { return each.path == name; });
     if (found == emission.components.end()) throw UsageError(fmt::format("{} has no process of its own", name));
     return found->process;
 }

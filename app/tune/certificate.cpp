@@ -202,8 +202,7 @@ Certificate read_fields(const Json& json) {
 void add_item_differences(const char* what, const std::vector<DecidedItem>& certified,
                           const std::vector<DecidedItem>& found, std::vector<std::string>& lines) {
     const auto without = [&](const DecidedItem& one, const std::vector<DecidedItem>& all) {
-        return std::none_of(all.begin(), all.end(),
-                            [&](const DecidedItem& other) { return other.subject == one.subject; });
+        return std::ranges::none_of(all, [&](const DecidedItem& other) { return other.subject == one.subject; });
     };
     for (const DecidedItem& one : certified) {
         if (without(one, found)) lines.push_back(fmt::format("{}: {} is not there", what, one.subject));
@@ -277,10 +276,10 @@ std::vector<std::string> differences(const Evidence& certified, const Evidence& 
     if (certified.scenario_digest != found.scenario_digest)
         lines.emplace_back("scenario: its text is not the one that is certified");
     const auto in = [](const Evidence::Files& files, const std::string& name) {
-        return std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.first == name; });
+        return std::ranges::any_of(files, [&](const auto& file) { return file.first == name; });
     };
     for (const auto& file : certified.model)
-        if (std::find(found.model.begin(), found.model.end(), file) == found.model.end())
+        if (std::ranges::find(found.model, file) == found.model.end())
             lines.push_back(
                 fmt::format("model: {} {}", file.first,
                             in(found.model, file.first) ? "is not the one that is certified" : "is not there"));

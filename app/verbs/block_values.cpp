@@ -85,7 +85,7 @@ std::vector<std::string> constants_unlike(const Project& project, const Definiti
     for (const auto& [path, both] : unlike) {
         const std::string name = last(path);
         std::string text = fmt::format("{} = {}", of_name[name].size() == 1 ? name : path, both);
-        if (std::find(result.begin(), result.end(), text) == result.end()) result.push_back(std::move(text));
+        if (std::ranges::find(result, text) == result.end()) result.push_back(std::move(text));
     }
     return result;
 }
@@ -97,7 +97,7 @@ std::string values_unlike_blocks(const Project& project, const cspm::Script& wit
         return block.timed && (block.name == "Instantiations" || block.name == "instantiations");
     };
     const auto& blocks = project.system.csp_blocks;
-    if (std::none_of(blocks.begin(), blocks.end(), replaces)) return "";
+    if (std::ranges::none_of(blocks, replaces)) return "";
     diagnostics::Diagnostics unread;  // findings in blocks are reported when assertions are decided
     const csp_emit::Emission with_blocks =
         csp_emit::emit(project.system, project.instantiation, csp_emit::Time::timed, {}, project.sources, unread);

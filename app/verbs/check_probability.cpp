@@ -52,8 +52,7 @@ Answer answer_of(const Row& row) {
 Answer answer_of(const std::vector<Row>& rows) {
     Answer answer = rows.empty() ? Answer::inconclusive : answer_of(rows.front());
     for (const Answer worse : {Answer::inconclusive, Answer::fails, Answer::error})
-        if (std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return answer_of(row) == worse; }))
-            answer = worse;
+        if (std::ranges::any_of(rows, [&](const Row& row) { return answer_of(row) == worse; })) answer = worse;
     return answer;
 }
 

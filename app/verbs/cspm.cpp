@@ -206,7 +206,7 @@ void decide_all(const LoadedScript& loaded, OpenScript& open, const Options& opt
 Exit worse(Exit a, Exit b) {
     const auto rank = [](Exit exit) {
         constexpr std::array order{Exit::success, Exit::inconclusive, Exit::failed, Exit::bad_input};
-        return std::find(order.begin(), order.end(), exit) - order.begin();
+        return std::ranges::find(order, exit) - order.begin();
     };
     return rank(a) < rank(b) ? b : a;
 }

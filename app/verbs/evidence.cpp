@@ -27,7 +27,7 @@ Evidence::Files files_of(const Project& project) {
         if (std::filesystem::exists(path) && (ending == ".rct" || ending == ".assertions"))
             files.emplace_back(path.filename().string(), content_digest(project.sources.text(source)));
     }
-    std::sort(files.begin(), files.end());
+    std::ranges::sort(files);
     files.erase(std::unique(files.begin(), files.end()), files.end());
     return files;
 }

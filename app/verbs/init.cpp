@@ -50,8 +50,7 @@ bool is_word_of_cspm(const std::string& name) {
 std::string unfit(const std::string& name) {
     const auto fits = [](char c) { return is_plain(c) || c == '_'; };
     if (name.size() > longest_name) return fmt::format("it has more than {} characters", longest_name);
-    if (name.empty() || !std::all_of(name.begin(), name.end(), fits) ||
-        std::isalpha(static_cast<unsigned char>(name.front())) == 0)
+    if (name.empty() || !std::ranges::all_of(name, fits) || std::isalpha(static_cast<unsigned char>(name.front())) == 0)
         return "a name is made of letters, digits and _, and begins with a letter";
     if (frontend::is_reserved(name)) return "it is a reserved word of RoboChart";
     if (is_word_of_cspm(name)) return "it is a reserved word of CSPM";

@@ -82,8 +82,8 @@ public:
     }
 
     [[nodiscard]] bool decided() const override {
-        return std::none_of(monitors_.begin(), monitors_.end(),
-                            [](const Monitor& each) { return each.verdict() == MonitorVerdict::unknown; });
+        return std::ranges::none_of(monitors_,
+                                    [](const Monitor& each) { return each.verdict() == MonitorVerdict::unknown; });
     }
 
 private:

@@ -148,7 +148,7 @@ std::string Console::leads_to(std::size_t offer) {
     const auto same = [&](const runs::Offer& each) {
         return each.hidden == offers[offer].hidden && text_of(each) == text_of(offers[offer]);
     };
-    if (stepped_.project || std::count_if(offers.begin(), offers.end(), same) == 1) return "";
+    if (stepped_.project || std::ranges::count_if(offers, same) == 1) return "";
     process::TermStore& terms = stepper_.reader().context().session.terms();
     return "   to " + process::describe(terms, offers[offer].step.target);
 }
@@ -381,8 +381,7 @@ Exit write_page(runs::Stepper& stepper, const Options& options, const Stepped& s
         return Exit::bad_input;
     }
     print("{}: {}\n", options.html, counts_text(space));
-    const auto wrong =
-        std::find_if(space.states.begin(), space.states.end(), [](const auto& each) { return !each.error.empty(); });
+    const auto wrong = std::ranges::find_if(space.states, [](const auto& each) { return !each.error.empty(); });
     if (wrong != space.states.end()) {
         print_error("robochart-verify: {}\n", wrong->error);
         return Exit::bad_input;

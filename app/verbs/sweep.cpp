@@ -64,8 +64,8 @@ private:
         };
         if (scenario_.claims.empty())
             missing("what is claimed (accept probability) or estimated (estimate probability)");
-        if (until_proved() && std::all_of(scenario_.claims.begin(), scenario_.claims.end(),
-                                          [](const simulation::Claim& claim) { return claim.estimate; }))
+        if (until_proved() &&
+            std::ranges::all_of(scenario_.claims, [](const simulation::Claim& claim) { return claim.estimate; }))
             missing("what is to be proved (accept probability)");
         if (!options_.compare.empty()) read_table();
         if (!options_.guarding_rules.empty()) read_rules();
@@ -84,8 +84,8 @@ private:
             auto table = simulation::read_table(project_->sources.text(*source), scenario_, error);
             if (table) table_ = std::move(*table);
         }
-        const bool estimates = std::any_of(scenario_.claims.begin(), scenario_.claims.end(),
-                                           [](const simulation::Claim& claim) { return claim.estimate; });
+        const bool estimates =
+            std::ranges::any_of(scenario_.claims, [](const simulation::Claim& claim) { return claim.estimate; });
         if (error.empty() && !estimates) error = "the scenario has no estimate";
         if (!error.empty())
             project_->diagnostics.report(
@@ -247,8 +247,8 @@ private:
     /// proved, every least value must be decided instead.
     [[nodiscard]] Exit exit_code() const {
         if (result_.interrupted) return Exit::inconclusive;
-        if (std::any_of(compared_.begin(), compared_.end(),
-                        [&](const simulation::Compared& each) { return simulation::rejected(scenario_, each); }))
+        if (std::ranges::any_of(
+                compared_, [&](const simulation::Compared& each) { return simulation::rejected(scenario_, each); }))
             return Exit::failed;
         for (std::size_t c = 0; c < scenario_.claims.size(); ++c)
             for (const simulation::PointResult& point : result_.points) {

@@ -345,7 +345,7 @@ Exit conform_traces(const std::vector<Part>& parts, const Options& options) {
         project.diagnostics.report(rules::no_monitor, {}, {subject(options), mismatch.what()});
     }
     const auto in_order = [](const Part& part) { return part.project->diagnostics.ok(); };
-    if (totals.runs == 0 && totals.limit.empty() && std::all_of(parts.begin(), parts.end(), in_order))
+    if (totals.runs == 0 && totals.limit.empty() && std::ranges::all_of(parts, in_order))
         project.diagnostics.report(rules::bad_option, {},
                                    {"--traces: there is nothing to compare, the logs have no runs"});
     totals.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

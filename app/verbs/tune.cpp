@@ -47,15 +47,13 @@ std::string with_constants(const Pairs& constants) {
 
 /// "12 of 13 hold"
 std::string counted(const std::vector<DecidedItem>& items, const std::string& good) {
-    const auto count =
-        std::count_if(items.begin(), items.end(), [&](const DecidedItem& each) { return each.answer == good; });
+    const auto count = std::ranges::count_if(items, [&](const DecidedItem& each) { return each.answer == good; });
     return fmt::format("{} of {}", count, items.size());
 }
 
 bool any(const std::vector<DecidedItem>& items, std::initializer_list<const char*> answers) {
-    return std::any_of(items.begin(), items.end(), [&](const DecidedItem& each) {
-        return std::find(answers.begin(), answers.end(), each.answer) != answers.end();
-    });
+    return std::ranges::any_of(
+        items, [&](const DecidedItem& each) { return std::ranges::find(answers, each.answer) != answers.end(); });
 }
 
 /// The exit code for the decisions: 1 if something fails, otherwise 3 if something is open.
@@ -64,8 +62,7 @@ Exit exit_of(const Evidence& evidence) {
                        any(evidence.conformance, {"differs", "not schedulable", "not generated", "error"});
     const bool open = any(evidence.assertions, {"inconclusive"}) || any(evidence.conformance, {"inconclusive"});
     const auto claim = [&](const char* answer) {
-        return std::any_of(evidence.claims.begin(), evidence.claims.end(),
-                           [&](const DecidedClaim& each) { return each.answer == answer; });
+        return std::ranges::any_of(evidence.claims, [&](const DecidedClaim& each) { return each.answer == answer; });
     };
     if (fails || claim("fails")) return Exit::failed;
     return open || claim("open") ? Exit::inconclusive : Exit::success;
@@ -118,9 +115,8 @@ public:
     bool admitted(const Candidate& candidate) override {
         Evidence found;
         decide_assertions(with(candidate), scenario_, found);
-        const auto bad = std::find_if(found.assertions.begin(), found.assertions.end(), [](const DecidedItem& each) {
-            return each.answer == "fails" || each.answer == "error";
-        });
+        const auto bad = std::ranges::find_if(
+            found.assertions, [](const DecidedItem& each) { return each.answer == "fails" || each.answer == "error"; });
         if (bad == found.assertions.end()) return true;
         if (refusal_.empty())
             refusal_ = fmt::format("{}: {}: {}", simulation::candidate_text(parameters_, candidate), bad->answer,

@@ -84,7 +84,7 @@ std::vector<std::string> notes(const std::vector<Part>& parts) {
     for (const Part& part : parts)
         if (part.project->diagnostics.ok()) finite.push_back(part.project.get());
     std::vector<std::string> result;
-    const bool same = std::all_of(finite.begin(), finite.end(), [&](const Project* project) {
+    const bool same = std::ranges::all_of(finite, [&](const Project* project) {
         return notes(project->instantiation) == notes(finite.front()->instantiation);
     });
     for (const Project* project : finite) {
@@ -96,7 +96,7 @@ std::vector<std::string> notes(const std::vector<Part>& parts) {
         return block.name == "Instantiations" || block.name == "instantiations";
     };
     for (const Project* project : finite)
-        if (std::any_of(project->system.csp_blocks.begin(), project->system.csp_blocks.end(), replaces))
+        if (std::ranges::any_of(project->system.csp_blocks, replaces))
             result.push_back(fmt::format(
                 "{}the csp block Instantiations replaces that in the scripts, `--range` and `--const` change nothing "
                 "there; generated C++ and its comparison do not read it",
@@ -178,7 +178,7 @@ cpp_emit::Strategy strategy_of(const std::string& name) {
 std::string first_file(const Part& part) {
     if (!part.project->model) return "";
     const auto& files = part.project->model->files;
-    const auto file = std::find_if(files.begin(), files.end(), [](const auto& each) { return !each->is_library; });
+    const auto file = std::ranges::find_if(files, [](const auto& each) { return !each->is_library; });
     return file == files.end() ? "" : part.project->sources.path((*file)->source);
 }
 
@@ -446,7 +446,7 @@ namespace {
 void note_nothing(const Options& options, Report& report) {
     if (!decides_assertions(options.verb)) return;
     const auto decided = [](const AssertionReport& each) { return each.answer != Answer::no_check; };
-    if (std::any_of(report.assertions.begin(), report.assertions.end(), decided)) return;
+    if (std::ranges::any_of(report.assertions, decided)) return;
     report.unclaimed = report.assertions.empty() ? "nothing is claimed of the model: there are no assertions to check"
                                                  : "nothing was checked: no assertion has a check in this semantics";
     report.nothing_checked = options.verb == Verb::check && report.sizes.empty();
@@ -612,7 +612,7 @@ Exit print_phases(const std::vector<Part>& parts, const Options& options) {
 /// A log may belong to any part, so all parts must be correct.
 Exit compare_traces(const std::vector<Part>& parts, const Options& options, Report& report) {
     const auto refused =
-        std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return !acceptable(*part.project, options); });
+        std::ranges::find_if(parts, [&](const Part& part) { return !acceptable(*part.project, options); });
     if (refused != parts.end()) {
         (void)show_diagnostics(*refused->project, options);
         return refusal(*refused->project);
@@ -644,8 +644,8 @@ Exit run_verb(const Options& given, Report& report, std::vector<Part>& parts) {
 
 Exit run_model(const Options& given) {
     const Options options = with_swarm(given);
-    const bool rules = std::all_of(options.inputs.begin(), options.inputs.end(),
-                                   [](const std::string& each) { return each.ends_with(".sleec"); });
+    const bool rules =
+        std::ranges::all_of(options.inputs, [](const std::string& each) { return each.ends_with(".sleec"); });
     if (options.verb == Verb::conform && !options.traces.empty() && rules) return conform_rules(options);
     const auto report = std::make_shared<Report>();
     const auto parts = std::make_shared<std::vector<Part>>();

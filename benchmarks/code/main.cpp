@@ -84,7 +84,7 @@ constexpr std::size_t length = 65536;
 constexpr int passes = 20;
 
 double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
+    std::ranges::sort(values);
     return values[values.size() / 2];
 }
 

@@ -47,7 +47,7 @@ const machine::Supercombinator* compiled(const lts::TransitionSystem& system) {
 }
 
 machine::EventPlaces places(process::EventSet events) {
-    std::sort(events.begin(), events.end());
+    std::ranges::sort(events);
     events.erase(std::unique(events.begin(), events.end()), events.end());
     return machine::EventPlaces(std::move(events));
 }

@@ -113,7 +113,7 @@ void Refinement::mark(StateIndex state) {
 Refinement::States Refinement::take_dirty(Block block) {
     States states = std::exchange(dirty_[block], {});
     std::erase_if(states, [&](StateIndex state) { return block_[state] != block || !is_dirty_[state]; });
-    std::sort(states.begin(), states.end());
+    std::ranges::sort(states);
     for (StateIndex state : states) is_dirty_[state] = false;
     return states;
 }
@@ -147,7 +147,7 @@ Signature Refinement::signature_of(StateIndex state, const std::map<StateIndex, 
             result.insert(result.end(), through.begin(), through.end());
         }
     }
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
 }
@@ -169,7 +169,7 @@ void Refinement::split(Block block, std::map<Signature, States>& groups, bool cl
         const States all = members_[block];
         for (std::size_t i = 0; i < all.size(); ++i)
             if (!computed[i]) with_clean->push_back(all[i]);
-        std::sort(with_clean->begin(), with_clean->end());
+        std::ranges::sort(*with_clean);
     }
     signatures_[block] = largest->first;
     std::vector<const States*> moved;
@@ -230,7 +230,7 @@ private:
         std::vector<Edge> edges;
         for (const Edge& edge : refinement_.signature(block))
             edges.push_back({edge.event, number(edge.target == endless ? block : edge.target)});
-        std::sort(edges.begin(), edges.end());
+        std::ranges::sort(edges);
         for (const Edge& edge : edges) graph.add_edge(edge);
         graph.finish_state();
     }

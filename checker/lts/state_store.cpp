@@ -84,7 +84,7 @@ StateStore::Insertion StateStore::insert(StateView state, std::uint64_t hash) {
     }
     make_chunks(size_ + 1);
     const auto index = static_cast<StateIndex>(size_);
-    std::copy(state.begin(), state.end(), row(index));
+    std::ranges::copy(state, row(index));
     IndexTable::put(slot, index);
     ++size_;
     return {index, true};
@@ -97,7 +97,7 @@ void StateStore::make_space(std::uint64_t states) {
 
 void StateStore::publish(const IndexTable::Slot& slot, StateIndex index, StateView state) {
     slot.set(index);
-    std::copy(state.begin(), state.end(), row(index));
+    std::ranges::copy(state, row(index));
 }
 
 StateIndex StateStore::find(StateView state, std::uint64_t hash) const {

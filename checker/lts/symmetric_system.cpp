@@ -37,7 +37,7 @@ void SymmetricSystem::successors(StateView state, SuccessorSink& sink) {
 }
 
 void SymmetricSystem::add(Event event, StateView target, Event revealed) {
-    std::copy(target.begin(), target.end(), target_.begin());
+    std::ranges::copy(target, target_.begin());
     symmetry_.fold(target_);
     sink_->add(event, target_, revealed);
 }

@@ -63,8 +63,8 @@ void Symmetry::fold(std::span<std::uint32_t> state) {
         };
         places_.resize(set.size());
         std::iota(places_.begin(), places_.end(), std::size_t{0});
-        if (std::is_sorted(places_.begin(), places_.end(), less)) continue;
-        std::stable_sort(places_.begin(), places_.end(), less);
+        if (std::ranges::is_sorted(places_, less)) continue;
+        std::ranges::stable_sort(places_, less);
         write(set, numbers_, places_, state);
     }
 }
@@ -95,7 +95,7 @@ Symmetry::Permutation Symmetry::between(std::span<const std::uint32_t> from, std
                     places[i] = j;
                     taken[j] = true;
                 }
-        if (std::find(places.begin(), places.end(), set.size()) != places.end())
+        if (std::ranges::find(places, set.size()) != places.end())
             throw std::logic_error("no automorphism maps one of the states to the other");
     }
     return result;

@@ -42,7 +42,7 @@ Graph contract(const Graph& graph, const TauComponents& components) {
                 const StateIndex target = components.component[edge.target];
                 if (edge.event != tau || target != component) edges.push_back({edge.event, target});
             }
-        std::sort(edges.begin(), edges.end());
+        std::ranges::sort(edges);
         edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
         for (const Edge& edge : edges) result.add_edge(edge);
         result.finish_state();

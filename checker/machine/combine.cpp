@@ -200,7 +200,7 @@ void Combiner::together(std::vector<const Vectors*> who, Event event, Vectors& o
 EventSet events_of(const Vectors& vectors) {
     EventSet events;
     for (const Vector& each : vectors) events.push_back(each.event);
-    std::sort(events.begin(), events.end());
+    std::ranges::sort(events);
     events.erase(std::unique(events.begin(), events.end()), events.end());
     return events;
 }
@@ -268,7 +268,7 @@ Vectors Combiner::renamed(const Node& node, const Vectors& operand) {
     Vectors result;
     for (const Vector& each : operand) {
         charge_work(1 + each.parts.size() + each.actions.size());
-        auto pair = std::lower_bound(pairs.begin(), pairs.end(), process::EventPair{each.event, 0});
+        auto pair = std::ranges::lower_bound(pairs, process::EventPair{each.event, 0});
         const bool named = each.event != tau && each.event != tick && pair != pairs.end() && pair->first == each.event;
         if (!named) result.push_back(each);
         for (; named && pair != pairs.end() && pair->first == each.event; ++pair) {
@@ -374,9 +374,8 @@ void Combiner::initialise(NodeId id, std::vector<Assignment>& made) const {
 std::vector<Assignment> Combiner::assignments(const Actions& actions) const {
     std::vector<Assignment> made;
     for (const Action& action : actions) action.start ? initialise(action.node, made) : turn_off(action.node, made);
-    std::reverse(made.begin(), made.end());
-    std::stable_sort(made.begin(), made.end(),
-                     [](const Assignment& a, const Assignment& b) { return a.slot < b.slot; });
+    std::ranges::reverse(made);
+    std::ranges::stable_sort(made, [](const Assignment& a, const Assignment& b) { return a.slot < b.slot; });
     const auto same = [](const Assignment& a, const Assignment& b) { return a.slot == b.slot; };
     made.erase(std::unique(made.begin(), made.end(), same), made.end());
     return made;
@@ -409,8 +408,8 @@ void Combiner::add_rule(Region& region, const Vector& vector, const std::vector<
     Rule rule{};
     rule.event = vector.event;
     rule.revealed = vector.revealed;
-    rule.place = static_cast<std::uint32_t>(
-        std::lower_bound(region.alphabet.begin(), region.alphabet.end(), vector.event) - region.alphabet.begin());
+    rule.place =
+        static_cast<std::uint32_t>(std::ranges::lower_bound(region.alphabet, vector.event) - region.alphabet.begin());
     rule.level = vector.event < level.size() ? level[vector.event] : no_level;
     rule.lead = vector.parts.front();
     rule.first_requirement = static_cast<std::uint32_t>(region.requirements.size());
@@ -432,15 +431,14 @@ void Combiner::finish(Region& region, Vectors vectors, const std::vector<std::ui
     const std::vector<std::vector<double>> chance = chances(region);
     const auto chance_of = [&](const Requirement& part) { return chance[part.participant][part.event]; };
     for (Vector& each : vectors)
-        std::sort(each.parts.begin(), each.parts.end(), [&](const Requirement& a, const Requirement& b) {
+        std::ranges::sort(each.parts, [&](const Requirement& a, const Requirement& b) {
             return std::pair(chance_of(a), a.participant) < std::pair(chance_of(b), b.participant);
         });
     region.alphabet = events_of(vectors);
     region.by_event.resize(region.alphabet.size());
     region.chance.resize(region.alphabet.size());
     const auto lead = [](const Vector& v) { return std::pair(v.parts.front().participant, v.parts.front().event); };
-    std::stable_sort(vectors.begin(), vectors.end(),
-                     [&](const Vector& a, const Vector& b) { return lead(a) < lead(b); });
+    std::ranges::stable_sort(vectors, [&](const Vector& a, const Vector& b) { return lead(a) < lead(b); });
     region.first_rule.resize(region.participants.size());
     AssignmentRanges ranges;
     auto next = vectors.begin();
@@ -464,7 +462,7 @@ void Combiner::list_operands() {
     const auto rank = [](const SlotRange& range) { return std::pair(range.first - range.end, range.first); };
     const auto less = [&](const SlotRange& a, const SlotRange& b) { return rank(a) < rank(b); };
     const auto same = [&](const SlotRange& a, const SlotRange& b) { return rank(a) == rank(b); };
-    std::sort(operands.begin(), operands.end(), less);
+    std::ranges::sort(operands, less);
     operands.erase(std::unique(operands.begin(), operands.end(), same), operands.end());
 }
 

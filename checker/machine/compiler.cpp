@@ -62,7 +62,7 @@ public:
             found_.meaning.push_back(meaning_);
             auto& row = found_.rows.emplace_back();
             system_.successors(states_[state], *this);
-            std::stable_sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.event < b.event; });
+            std::ranges::stable_sort(row, [](const auto& a, const auto& b) { return a.event < b.event; });
         }
         return std::move(found_);
     }
@@ -91,7 +91,7 @@ process::Machine without_names(const ExplicitMachine& explicit_machine) {
         auto& edges = machine.edges.emplace_back();
         for (const Component::RawEdge& edge : row) edges.push_back({edge.event, edge.target});
         const auto key = [](const auto& edge) { return std::pair(edge.event, edge.target); };
-        std::sort(edges.begin(), edges.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+        std::ranges::sort(edges, [&](const auto& a, const auto& b) { return key(a) < key(b); });
     }
     return machine;
 }
@@ -139,7 +139,7 @@ bool Compiler::prune(const Supercombinator& combined, std::vector<ComponentPtr>&
     const std::vector<std::vector<bool>> used = used_events(combined);
     bool smaller = false;
     for (std::size_t slot = 0; slot < components.size(); ++slot) {
-        if (std::find(used[slot].begin(), used[slot].end(), false) == used[slot].end()) continue;
+        if (std::ranges::find(used[slot], false) == used[slot].end()) continue;
         components[slot] = reduced(without_unused(*components[slot], used[slot]), poll);
         smaller = true;
     }
@@ -171,7 +171,7 @@ ComponentPtr Compiler::gate(const Node& node) const {
         for (const process::Branch& branch : terms.branches(payload)) row.push_back({branch.event, branch.event, 0});
         const auto less = [](const auto& a, const auto& b) { return a.event < b.event; };
         const auto same = [](const auto& a, const auto& b) { return a.event == b.event; };
-        std::sort(row.begin(), row.end(), less);
+        std::ranges::sort(row, less);
         row.erase(std::unique(row.begin(), row.end(), same), row.end());
     } else {
         row.push_back({process::tau, process::tau, 0});

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t largest_index = std::size_t{1} << 24U;
 
 std::uint32_t place_of(const EventSet& alphabet, Event event) {
-    return static_cast<std::uint32_t>(std::lower_bound(alphabet.begin(), alphabet.end(), event) - alphabet.begin());
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(alphabet, event) - alphabet.begin());
 }
 
 }  // namespace
@@ -18,7 +18,7 @@ Component::Component(const std::vector<std::vector<RawEdge>>& rows, std::vector<
     : meaning_(std::move(meaning)) {
     for (const auto& row : rows)
         for (const RawEdge& edge : row) alphabet_.push_back(edge.event);
-    std::sort(alphabet_.begin(), alphabet_.end());
+    std::ranges::sort(alphabet_);
     alphabet_.erase(std::unique(alphabet_.begin(), alphabet_.end()), alphabet_.end());
     first_.push_back(0);
     for (const auto& row : rows) {

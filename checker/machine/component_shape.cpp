@@ -19,7 +19,7 @@ Colour joined(Colour a, Colour b) {
 }
 
 std::size_t distinct(std::vector<Colour> colours) {
-    std::sort(colours.begin(), colours.end());
+    std::ranges::sort(colours);
     return static_cast<std::size_t>(std::unique(colours.begin(), colours.end()) - colours.begin());
 }
 
@@ -80,7 +80,7 @@ std::vector<Local> searched(const Component& component, const std::vector<std::u
     for (std::size_t i = 0; i < order.size(); ++i) {
         const Component::Edges row = component.edges(order[i]);
         std::vector<Component::Edge> edges(row.begin(), row.end());
-        std::stable_sort(edges.begin(), edges.end(), [&](const Component::Edge& a, const Component::Edge& b) {
+        std::ranges::stable_sort(edges, [&](const Component::Edge& a, const Component::Edge& b) {
             return std::pair(rank[a.event], colour[a.target]) < std::pair(rank[b.event], colour[b.target]);
         });
         for (const Component::Edge& edge : edges) {
@@ -93,8 +93,8 @@ std::vector<Local> searched(const Component& component, const std::vector<std::u
 }
 
 std::uint64_t hash_of(std::vector<Colour> states, std::vector<Colour> events) {
-    std::sort(states.begin(), states.end());
-    std::sort(events.begin(), events.end());
+    std::ranges::sort(states);
+    std::ranges::sort(events);
     std::uint64_t hash = states.size();
     for (const std::vector<Colour>* all : {&states, &events})
         for (const Colour colour : *all) hash = joined(hash, colour);
@@ -111,7 +111,7 @@ ComponentShape shape_of(const Component& component, const std::vector<std::uint6
     ComponentShape shape;
     shape.event.resize(alphabet.size());
     std::iota(shape.event.begin(), shape.event.end(), 0U);
-    std::sort(shape.event.begin(), shape.event.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::ranges::sort(shape.event, [&](std::uint32_t a, std::uint32_t b) {
         const Colour first = refinement.events()[a];
         const Colour second = refinement.events()[b];
         return first != second ? first < second : names.name(alphabet[a]) < names.name(alphabet[b]);

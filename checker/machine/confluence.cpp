@@ -21,9 +21,8 @@ constexpr std::uint32_t no = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t yes = no - 1;
 
 bool shared(const std::vector<std::uint32_t>& some, const std::vector<Passage>& others) {
-    return std::any_of(others.begin(), others.end(), [&](const Passage& passage) {
-        return std::find(some.begin(), some.end(), passage.region) != some.end();
-    });
+    return std::ranges::any_of(
+        others, [&](const Passage& passage) { return std::ranges::find(some, passage.region) != some.end(); });
 }
 
 }  // namespace
@@ -262,9 +261,9 @@ Confluence::Next Confluence::tracking_more(std::uint32_t number, const std::vect
     for (std::size_t i = 0; i < others.size(); ++i) {
         Slots slots = before;
         for (const Part& part : rules_->rules[others[i]].parts)
-            if (part.event && !std::binary_search(before.begin(), before.end(), part.slot)) slots.push_back(part.slot);
+            if (part.event && !std::ranges::binary_search(before, part.slot)) slots.push_back(part.slot);
         if (slots.size() == before.size() || slots.size() > most) continue;
-        std::sort(slots.begin(), slots.end());
+        std::ranges::sort(slots);
         if (const std::uint32_t more = tracking(rule, std::move(slots)); more != no) return {more, i + 1};
     }
     return {no, 0};
@@ -330,7 +329,7 @@ private:
         led_.emplace_back(from, by);
     }
     [[nodiscard]] bool is_new(std::uint64_t key) {
-        if (keys_.size() < few) return std::find(keys_.begin(), keys_.end(), key) == keys_.end();
+        if (keys_.size() < few) return std::ranges::find(keys_, key) == keys_.end();
         if (known_.empty()) known_.insert(keys_.begin(), keys_.end());
         return known_.insert(key).second;
     }
@@ -409,7 +408,7 @@ bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outco
     const WholeRule& rule = rules_->rules[tracked.rule];
     if (!determined(rule, state)) return false;
     const auto leave_it_possible = [&](const std::vector<RuleNumber>& others) {
-        return std::all_of(others.begin(), others.end(), [&](RuleNumber by) {
+        return std::ranges::all_of(others, [&](RuleNumber by) {
             ++next.rules;
             const WholeRule& other = rules_->rules[by];
             if (by == tracked.rule || cannot_fire(other, tracked, state)) return true;
@@ -439,18 +438,18 @@ bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outco
 
 /// Condition 2: every part is possible and has one result.
 bool Confluence::determined(const WholeRule& rule, Locals state) const {
-    return std::all_of(rule.parts.begin(), rule.parts.end(), [&](const Part& part) {
+    return std::ranges::all_of(rule.parts, [&](const Part& part) {
         if (!part.event) return true;
         const Component::Edges edges = component(part.slot).edges(state[part.slot], *part.event);
         const auto same = [&](const Component::Edge& edge) { return edge.target == edges.front().target; };
-        return !edges.empty() && std::all_of(edges.begin(), edges.end(), same);
+        return !edges.empty() && std::ranges::all_of(edges, same);
     });
 }
 
 /// Whether some tracked component cannot perform its event of the rule, or the tracked rule prevents it.
 bool Confluence::cannot_fire(const WholeRule& other, const Tracked& tracked, Locals state) const {
     return shared(rules_->rules[tracked.rule].preventing, other.prevented) ||
-           std::any_of(other.parts.begin(), other.parts.end(), [&](const Part& part) {
+           std::ranges::any_of(other.parts, [&](const Part& part) {
                return part.event && tracked.has[part.slot] != 0 &&
                       component(part.slot).edges(state[part.slot], *part.event).empty();
            });
@@ -458,7 +457,7 @@ bool Confluence::cannot_fire(const WholeRule& other, const Tracked& tracked, Loc
 
 /// Whether the components with a part in both rules reach the same states in either order.
 bool Confluence::commutes(const WholeRule& rule, const WholeRule& other, Locals state) const {
-    return std::all_of(rule.parts.begin(), rule.parts.end(), [&](const Part& part) {
+    return std::ranges::all_of(rule.parts, [&](const Part& part) {
         const Part* const theirs = other.part(part.slot);
         return theirs == nullptr || commutes(part, *theirs, state[part.slot]);
     });
@@ -471,13 +470,12 @@ bool Confluence::commutes(const Part& part, const Part& other, Local local) cons
     if (first.empty()) return false;
     const Component::Edges second = machine.edges(first.front().target, *other.event);
     const Component::Edges others = machine.edges(local, *other.event);
-    return std::all_of(others.begin(), others.end(), [&](const Component::Edge& theirs) {
+    return std::ranges::all_of(others, [&](const Component::Edge& theirs) {
         const Component::Edges after = machine.edges(theirs.target, *part.event);
         if (after.empty()) return false;
         const Local both = after.front().target;
         const auto leads_there = [both](const Component::Edge& edge) { return edge.target == both; };
-        return std::all_of(after.begin(), after.end(), leads_there) &&
-               std::any_of(second.begin(), second.end(), leads_there);
+        return std::ranges::all_of(after, leads_there) && std::ranges::any_of(second, leads_there);
     });
 }
 
@@ -509,7 +507,7 @@ void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::siz
 bool Confluence::unchanged(const Part& part, Local local) const {
     if (part.assigned || !part.event) return false;
     const Component::Edges edges = component(part.slot).edges(local, *part.event);
-    return std::all_of(edges.begin(), edges.end(), [&](const Component::Edge& edge) { return edge.target == local; });
+    return std::ranges::all_of(edges, [&](const Component::Edge& edge) { return edge.target == local; });
 }
 
 }  // namespace robochart::machine

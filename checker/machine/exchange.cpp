@@ -21,7 +21,7 @@ std::vector<std::vector<std::uint32_t>> slots_below(const Supercombinator& combi
                 slots.insert(slots.end(), below[each.index].begin(), below[each.index].end());
             else
                 slots.push_back(each.index);
-        std::sort(slots.begin(), slots.end());
+        std::ranges::sort(slots);
         below.push_back(std::move(slots));
     }
     return below;
@@ -87,8 +87,8 @@ bool Exchange::maps_component(std::uint32_t slot, const std::function<void()>& p
         for (const Component::Edge& edge : from.edges(at))
             mapped.emplace_back(events[edge.event], state(slot, edge.target));
         for (const Component::Edge& edge : to.edges(state(slot, at))) wanted.emplace_back(edge.event, edge.target);
-        std::sort(mapped.begin(), mapped.end());
-        std::sort(wanted.begin(), wanted.end());
+        std::ranges::sort(mapped);
+        std::ranges::sort(wanted);
         if (mapped != wanted) return false;
     }
     return true;
@@ -102,7 +102,7 @@ bool Exchange::map_regions() {
     for (const std::vector<std::uint32_t>& slots : below) {
         std::vector<std::uint32_t> images;
         for (const std::uint32_t each : slots) images.push_back(slot(each));
-        std::sort(images.begin(), images.end());
+        std::ranges::sort(images);
         std::uint32_t image = 0;
         while (image < below.size() && (taken[image] || below[image] != images)) ++image;
         if (image == below.size()) return false;
@@ -145,7 +145,7 @@ Exchange::EventsByBody Exchange::bodies(const Region& region, const std::functio
     EventsByBody result;
     using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
     const auto as_set = [](Pairs& pairs) {
-        std::sort(pairs.begin(), pairs.end());
+        std::ranges::sort(pairs);
         pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     };
     Pairs asked, assigned;
@@ -212,8 +212,8 @@ std::optional<Exchange::Places> Exchange::event_images(const Region& from, const
         std::vector<std::uint32_t> mapped;
         for (const std::uint32_t place : places) mapped.push_back(image[place]);
         std::vector<std::uint32_t> expected = wanted.at(body);
-        std::sort(mapped.begin(), mapped.end());
-        std::sort(expected.begin(), expected.end());
+        std::ranges::sort(mapped);
+        std::ranges::sort(expected);
         if (mapped != expected) return std::nullopt;
     }
     for (std::uint32_t place = 0; place < image.size(); ++place)

@@ -21,7 +21,7 @@ void minimise(ExplicitMachine& machine, const std::function<void()>& poll) {
         std::vector<Component::RawEdge> row = machine.rows[state];
         for (Component::RawEdge& edge : row) edge.target = quotient.state_of[edge.target];
         const auto key = [](const Component::RawEdge& edge) { return std::pair(edge.event, edge.target); };
-        std::stable_sort(row.begin(), row.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+        std::ranges::stable_sort(row, [&](const auto& a, const auto& b) { return key(a) < key(b); });
         const auto same = [&](const auto& a, const auto& b) { return key(a) == key(b); };
         row.erase(std::unique(row.begin(), row.end(), same), row.end());
         smaller.rows.push_back(std::move(row));

@@ -106,7 +106,7 @@ std::unique_ptr<lts::ReducedSystem> SupercombinatorSystem::reduced(const std::fu
     const auto may_be_followed = [](const WholeRule& rule) {
         return rule.event == process::tau && rule.prevented.empty();
     };
-    if (!rules || std::none_of(rules->rules.begin(), rules->rules.end(), may_be_followed)) return nullptr;
+    if (!rules || std::ranges::none_of(rules->rules, may_be_followed)) return nullptr;
     const auto shared = std::make_shared<const WholeRules>(std::move(*rules));
     const std::optional<ProofPlan> plan = plan_of_proofs(combined_, terms_, shared, poll);
     return plan ? std::make_unique<ReducedSystem>(another(), combined_, shared, *plan) : nullptr;
@@ -133,7 +133,7 @@ void ReducedSystem::unpack(lts::StateView state) {
 }
 
 void ReducedSystem::pack(std::span<lts::Word> state) const {
-    std::fill(state.begin(), state.end(), 0);
+    std::ranges::fill(state, 0);
     for (std::size_t slot = 0; slot < locals_.size(); ++slot) combined_->fields[slot].put(state, locals_[slot]);
 }
 

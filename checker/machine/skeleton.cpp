@@ -88,8 +88,7 @@ bool Builder::composite(TermId id, int depth, int prefixes) {
 bool Builder::looks_composite(const Term& given, int depth, int prefixes) {
     const Term term = given;  // a copy, because the following calls may create terms
     const auto some_child = [&] {
-        return std::any_of(term.children.begin(), term.children.end(),
-                           [&](TermId each) { return composite(each, depth + 1, prefixes); });
+        return std::ranges::any_of(term.children, [&](TermId each) { return composite(each, depth + 1, prefixes); });
     };
     switch (term.op) {
         case Op::parallel:
@@ -109,7 +108,7 @@ bool Builder::looks_composite(const Term& given, int depth, int prefixes) {
             if (!through_prefixes_ || prefixes >= deepest_prefix) return false;
             const std::vector<process::Branch> branches = terms_.branches(term.payload);
             return branches.size() <= most_branches &&
-                   std::any_of(branches.begin(), branches.end(), [&](const process::Branch& branch) {
+                   std::ranges::any_of(branches, [&](const process::Branch& branch) {
                        return composite(branch.target, depth + 1, prefixes + 1);
                    });
         }
@@ -138,8 +137,8 @@ void Builder::leaf(NodeId id) {
 NodeId Builder::node(TermId term, NodeId region, const Tail& tail, int depth) {
     if (poll_) poll_();
     term = unfolded(term);
-    const auto same = std::find_if(tail.at_once.begin(), tail.at_once.end(),
-                                   [&](NodeId around) { return result_.nodes[around].term == term; });
+    const auto same =
+        std::ranges::find_if(tail.at_once, [&](NodeId around) { return result_.nodes[around].term == term; });
     if (same != tail.at_once.end()) {
         const NodeId around = *same;
         const NodeId id = add(Node::Kind::again, term, region);

@@ -22,7 +22,7 @@ SupercombinatorSystem::SupercombinatorSystem(std::shared_ptr<const Supercombinat
 }
 
 void SupercombinatorSystem::initial(std::span<lts::Word> state) {
-    std::fill(state.begin(), state.end(), 0);
+    std::ranges::fill(state, 0);
     for (std::size_t slot = 0; slot < combined_->fields.size(); ++slot)
         combined_->fields[slot].put(state, combined_->initial[slot]);
 }
@@ -154,7 +154,7 @@ private:
 
     void to_sink(const Rule& rule, Event revealed) {
         std::vector<lts::Word>& target = system_.target_;
-        std::copy(state_.begin(), state_.end(), target.begin());
+        std::ranges::copy(state_, target.begin());
         const std::vector<Field>& fields = system_.combined_->fields;
         for (const Assignment& change : system_.changes_) fields[change.slot].put(target, change.value);
         for (std::uint32_t i = rule.first_assignment; i < rule.end_assignment; ++i)

@@ -25,7 +25,7 @@ void write(const std::vector<std::uint32_t>& values, ByteWriter& out) {
 EventSet read_events(ByteReader& in) {
     EventSet events(in.count());
     for (Event& event : events) event = in.word();
-    if (std::adjacent_find(events.begin(), events.end(), std::greater_equal<>()) != events.end())
+    if (std::ranges::adjacent_find(events, std::greater_equal<>()) != events.end())
         throw BadBytes("events are not in order");
     return events;
 }
@@ -50,7 +50,7 @@ ComponentPtr read_component(ByteReader& in, TermId meaning) {
             edge.revealed = in.word();
             edge.target = in.below(rows.size());
         }
-        if (!std::is_sorted(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.event < b.event; }))
+        if (!std::ranges::is_sorted(row, [](const auto& a, const auto& b) { return a.event < b.event; }))
             throw BadBytes("edges are not in order");
     }
     return std::make_shared<const Component>(rows, std::vector<TermId>(rows.size(), meaning));

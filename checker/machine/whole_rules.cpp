@@ -153,8 +153,7 @@ private:
 }  // namespace
 
 const Part* WholeRule::part(std::uint32_t slot) const {
-    const auto found = std::lower_bound(parts.begin(), parts.end(), slot,
-                                        [](const Part& part, std::uint32_t wanted) { return part.slot < wanted; });
+    const auto found = std::ranges::lower_bound(parts, slot, {}, &Part::slot);
     return found != parts.end() && found->slot == slot ? &*found : nullptr;
 }
 

@@ -86,9 +86,8 @@ public:
     std::optional<Counterexample> operator()(const Expr& question) {
         if (question.op != Op::probability || !question.query->bound) return std::nullopt;
         const Expr& body = *question.parts[0];
-        const bool formula =
-            is_temporal(body.op) && body.op != Op::next &&
-            std::none_of(body.parts.begin(), body.parts.end(), [](const auto& p) { return is_path(*p); });
+        const bool formula = is_temporal(body.op) && body.op != Op::next &&
+                             std::ranges::none_of(body.parts, [](const auto& p) { return is_path(*p); });
         if (!formula) return std::nullopt;
         const Op relation = question.query->relation;
         const bool upper = relation == Op::less || relation == Op::less_equal;

@@ -69,8 +69,7 @@ Series read_one(const std::string& text, const std::vector<Constant>& open) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) throw BadValue(fmt::format("{}: expected NAME=VALUE", text));
     const std::string name = text.substr(0, equals);
-    const auto constant =
-        std::find_if(open.begin(), open.end(), [&](const Constant& each) { return each.name.text == name; });
+    const auto constant = std::ranges::find_if(open, [&](const Constant& each) { return each.name.text == name; });
     if (constant == open.end()) {
         std::vector<std::string> known;
         for (const Constant& each : open) known.push_back(each.name.text);
@@ -97,8 +96,8 @@ std::vector<Series> read_series(const std::string& text, const std::vector<Const
 
 std::vector<Constant> open_constants(const std::vector<Constant>& constants) {
     std::vector<Constant> result;
-    std::copy_if(constants.begin(), constants.end(), std::back_inserter(result),
-                 [](const Constant& each) { return each.value == nullptr; });
+    std::ranges::copy_if(constants, std::back_inserter(result),
+                         [](const Constant& each) { return each.value == nullptr; });
     return result;
 }
 

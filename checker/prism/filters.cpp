@@ -32,7 +32,7 @@ std::string value_text(const StateVector& values, std::size_t state) {
 }
 
 std::size_t count(const markov::StateSet& states) {
-    return static_cast<std::size_t>(std::count(states.begin(), states.end(), true));
+    return static_cast<std::size_t>(std::ranges::count(states, true));
 }
 
 }  // namespace
@@ -185,7 +185,7 @@ Result Evaluator::filtered(const Expr& expr) {
         if (kind == "state" && count(states) != 1)
             throw Undecided(fmt::format("the filter asks for one state, and {} satisfy it", count(states)));
         StateSet first(states.size());
-        first[static_cast<std::size_t>(std::find(states.begin(), states.end(), true) - states.begin())] = true;
+        first[static_cast<std::size_t>(std::ranges::find(states, true) - states.begin())] = true;
         return over(values, first);
     }
     if (kind == "sum" || kind == "+" || kind == "avg") {

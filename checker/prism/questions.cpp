@@ -159,7 +159,7 @@ StateVector Evaluator::path(const ExprPtr& expr, Direction direction) {
 }
 
 Reachability Evaluator::reachability(const Expr& expr) {
-    const bool inner = std::any_of(expr.parts.begin(), expr.parts.end(), [](const ExprPtr& p) { return is_path(*p); });
+    const bool inner = std::ranges::any_of(expr.parts, [](const ExprPtr& p) { return is_path(*p); });
     if (inner || !is_temporal(expr.op) || expr.op == Op::next)
         throw Undecided("F, G, U, W and R of states are asked for here");
     StateSet b = set(expr.parts.back());
@@ -236,8 +236,7 @@ markov::StateSet Evaluator::maximal_components(const StateSet& within, const Sta
     StateSet result(within.size());
     const markov::SubModel part{within, std::vector<bool>(chain_.choices(), true)};
     for (const markov::EndComponent& each : end_components(graph(), part)) {
-        const bool counts =
-            std::any_of(each.states.begin(), each.states.end(), [&](markov::State s) { return touched[s]; });
+        const bool counts = std::ranges::any_of(each.states, [&](markov::State s) { return touched[s]; });
         for (const markov::State state : each.states)
             if (counts) result[state] = true;
     }

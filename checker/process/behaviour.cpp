@@ -60,7 +60,7 @@ std::optional<std::vector<Transition>> run_inside(OperationalSemantics& semantic
         if (node.done == events.size() && ends(steps)) {
             std::vector<Transition> run;
             for (std::size_t i = at; i != 0; i = nodes[i].before) run.push_back(nodes[i].step);
-            std::reverse(run.begin(), run.end());
+            std::ranges::reverse(run);
             return run;
         }
         for (const Transition& step : steps) {
@@ -334,8 +334,8 @@ std::string Splitter::written(const Term& term) {
 
 std::vector<Event> Behaviour::events(bool with_taus) const {
     std::vector<Event> result;
-    std::copy_if(trace.begin(), trace.end(), std::back_inserter(result),
-                 [&](Event event) { return event != no_event && (with_taus || event != tau); });
+    std::ranges::copy_if(trace, std::back_inserter(result),
+                         [&](Event event) { return event != no_event && (with_taus || event != tau); });
     return result;
 }
 

@@ -46,8 +46,7 @@ void FiringRules::alphabetised(const Term& term, List& list) {
 }
 
 void FiringRules::tick_together(const Term& term, List& list) {
-    const bool all =
-        std::all_of(term.children.begin(), term.children.end(), [this](TermId child) { return performs(child, tick); });
+    const bool all = std::ranges::all_of(term.children, [this](TermId child) { return performs(child, tick); });
     if (all) list.push_back({tick, tick, omega_});
 }
 
@@ -109,7 +108,7 @@ void FiringRules::rename(const Term& term, List& list) {
             continue;
         }
         const TermId target = with_operand(term, 0, step.target);
-        auto pair = std::lower_bound(pairs.begin(), pairs.end(), EventPair{step.event, 0});
+        auto pair = std::ranges::lower_bound(pairs, EventPair{step.event, 0});
         const bool named = step.event != tau && pair != pairs.end() && pair->first == step.event;
         if (!named) list.push_back({step.event, step.revealed, target});
         for (; named && pair != pairs.end() && pair->first == step.event; ++pair)
@@ -144,8 +143,8 @@ void FiringRules::prioritise_order(const Term& term, List& list) {
     const Renaming& order = terms_[RenamingId{term.payload}];
     const std::span<const Transition> steps = known_.of(term.children[0]);
     const auto prevented = [&](Event event) {
-        return std::any_of(steps.begin(), steps.end(), [&](const Transition& other) {
-            return std::binary_search(order.begin(), order.end(), EventPair{other.event, event});
+        return std::ranges::any_of(steps, [&](const Transition& other) {
+            return std::ranges::binary_search(order, EventPair{other.event, event});
         });
     };
     for (const Transition& step : steps)

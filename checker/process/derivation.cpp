@@ -41,8 +41,7 @@ private:
     }
     [[nodiscard]] bool others_stay(const std::vector<std::size_t>& movers) const {
         for (std::size_t i = 0; i < term_.children.size(); ++i)
-            if (std::find(movers.begin(), movers.end(), i) == movers.end() && target_.children[i] != term_.children[i])
-                return false;
+            if (std::ranges::find(movers, i) == movers.end() && target_.children[i] != term_.children[i]) return false;
         return true;
     }
     /// All of these move with the step's event, and the operator stays.
@@ -147,7 +146,7 @@ private:
     }
     bool renamed(Event event) const {
         const Renaming& pairs = terms_[RenamingId{term_.payload}];
-        const auto at = std::lower_bound(pairs.begin(), pairs.end(), EventPair{event, 0});
+        const auto at = std::ranges::lower_bound(pairs, EventPair{event, 0});
         return event != tau && at != pairs.end() && at->first == event;
     }
 

@@ -40,9 +40,9 @@ void drop_repeated_targets(std::vector<Transition>& list) {
 void put_in_order(std::vector<Transition>& list) {
     if (list.size() < 2) return;
     const auto earlier = [](const Transition& a, const Transition& b) { return a.event < b.event; };
-    if (!std::is_sorted(list.begin(), list.end(), earlier)) std::stable_sort(list.begin(), list.end(), earlier);
+    if (!std::ranges::is_sorted(list, earlier)) std::ranges::stable_sort(list, earlier);
     const auto same = [](const Transition& a, const Transition& b) { return a.event == b.event; };
-    if (std::adjacent_find(list.begin(), list.end(), same) == list.end()) return;
+    if (std::ranges::adjacent_find(list, same) == list.end()) return;
     list.size() <= short_list ? drop_repeated_targets_of_few(list) : drop_repeated_targets(list);
 }
 
@@ -365,8 +365,7 @@ bool FiringRules::performs(TermId term, Event event) const {
 
 std::span<const Transition> FiringRules::by_event(TermId term, Event event) const {
     const std::span<const Transition> steps = known_.of(term);
-    const auto first = std::lower_bound(steps.begin(), steps.end(), event,
-                                        [](const Transition& step, Event wanted) { return step.event < wanted; });
+    const auto first = std::ranges::lower_bound(steps, event, {}, &Transition::event);
     auto last = first;
     while (last != steps.end() && last->event == event) ++last;
     return {first, last};

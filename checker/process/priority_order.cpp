@@ -11,7 +11,7 @@ namespace {
 using Below = std::map<Event, std::set<Event>>;
 
 bool contains(const EventSet& set, Event event) {
-    return std::binary_search(set.begin(), set.end(), event);
+    return std::ranges::binary_search(set, event);
 }
 
 /// The events that are reachable by chains of pairs.
@@ -63,7 +63,7 @@ std::variant<Renaming, OrderFault> priority_order(const EventSet& prioritised, c
             if (contains(maximal, each)) return OrderFault{Kind::not_maximal, each};
             result.emplace_back(higher, each);
         }
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     return result;
 }
 

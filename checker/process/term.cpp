@@ -29,7 +29,7 @@ std::uint32_t hash_of(const Term& term) {
 
 template <class T>
 void sort_unique(std::vector<T>& items) {
-    std::sort(items.begin(), items.end());
+    std::ranges::sort(items);
     items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 

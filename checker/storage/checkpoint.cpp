@@ -61,8 +61,8 @@ public:
 
     [[noreturn]] void bad(const std::string& cause) const {
         const auto done = whole_.substr(0, whole_.size() - rest_.size());
-        throw BadFile(fmt::format("{}: line {}: {}", diagnostics::shown(path_),
-                                  1 + std::count(done.begin(), done.end(), '\n'), cause));
+        throw BadFile(
+            fmt::format("{}: line {}: {}", diagnostics::shown(path_), 1 + std::ranges::count(done, '\n'), cause));
     }
     std::string_view word() {
         const std::size_t end = std::min(rest_.find_first_of(" \n"), rest_.size());
@@ -87,7 +87,7 @@ public:
         const std::string_view name = word();
         const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
         if (name != "-") {
-            if (name.empty() || !std::all_of(name.begin(), name.end(), plain)) bad("a name is missing");
+            if (name.empty() || !std::ranges::all_of(name, plain)) bad("a name is missing");
             file.name = name;
         }
         file.blocks = number<std::uint64_t>();
@@ -160,7 +160,7 @@ std::vector<std::string> names_in(const std::string& folder) {
     std::error_code code;
     for (fs::directory_iterator at(folder, code); !code && at != fs::directory_iterator(); at.increment(code))
         names.push_back(at->path().filename().string());
-    std::sort(names.begin(), names.end());
+    std::ranges::sort(names);
     return names;
 }
 

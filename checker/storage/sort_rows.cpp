@@ -15,7 +15,7 @@ using Word = std::uint32_t;
 void sort_few(std::vector<Word>& rows, std::size_t width, std::size_t count) {
     std::vector<const Word*> order(count);
     for (std::size_t i = 0; i < count; ++i) order[i] = &rows[i * width];
-    std::sort(order.begin(), order.end(), [width](const Word* a, const Word* b) {
+    std::ranges::sort(order, [width](const Word* a, const Word* b) {
         return std::lexicographical_compare(a, a + width, b, b + width);
     });
     std::vector<Word> sorted;

@@ -166,9 +166,8 @@ void say_inputs(Result& result, const Interface& interface) {
         inputs.push_back(&each);
     }
     if (valuations < many) return;
-    std::stable_sort(inputs.begin(), inputs.end(), [](const Register* one, const Register* other) {
-        return one->values.size() > other->values.size();
-    });
+    std::ranges::stable_sort(
+        inputs, [](const Register* one, const Register* other) { return one->values.size() > other->values.size(); });
     if (inputs.size() > most) inputs.resize(most);
     std::vector<std::string> parts;
     for (const Register* each : inputs)

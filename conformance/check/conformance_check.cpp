@@ -113,8 +113,8 @@ std::string difference(const refine::Counterexample& found, const Alphabet& alph
     if (name == "code.precondition") return "the code calls an operation outside its precondition";
     if (alphabet.cycle_role(*event).kind == CycleRole::Kind::write)
         return fmt::format("the code writes {}, which the model does not allow here", alphabet.tell(*event));
-    const bool stopped = std::all_of(found.required.begin(), found.required.end(),
-                                     [](const process::EventSet& allowed) { return allowed.empty(); });
+    const bool stopped =
+        std::ranges::all_of(found.required, [](const process::EventSet& allowed) { return allowed.empty(); });
     if (*event == alphabet.tock() && stopped)
         return "the code ends its cycle where time stops in the model: it misses a deadline and does not say so";
     if (*event == alphabet.tock()) return "the code ends its cycle although the model must go on";

@@ -30,7 +30,7 @@ std::optional<std::uint32_t> Follower::asked(Node node) {
     if (!unread_) return std::nullopt;
     const process::EventSet possible = form_.initials(node);
     for (std::uint32_t input = 0; input < alphabet_.interface().inputs.size(); ++input)
-        if (std::binary_search(possible.begin(), possible.end(), system_.asks(input))) return input;
+        if (std::ranges::binary_search(possible, system_.asks(input))) return input;
     return std::nullopt;
 }
 
@@ -69,7 +69,7 @@ bool Follower::may_refuse(Node node, std::optional<process::Event> but) {
     const auto fits = [&](const process::EventSet& wanted) {
         return wanted.empty() || (but && wanted.size() == 1 && wanted.front() == *but);
     };
-    return std::any_of(acceptances.begin(), acceptances.end(), fits);
+    return std::ranges::any_of(acceptances, fits);
 }
 
 std::optional<Mismatch> Follower::follow(Node& node, process::Event event, bool read) {
@@ -91,7 +91,7 @@ std::optional<Mismatch> Follower::follow(Node& node, process::Event event, bool 
 std::optional<Mismatch> Follower::model_stops(Node node) {
     if (form_.diverges(node)) return Mismatch{Outcome::not_schedulable, endless_model, "", &rules::endless_steps};
     const auto& acceptances = form_.acceptances(node);
-    const bool stuck = std::any_of(acceptances.begin(), acceptances.end(), [](const auto& a) { return a.empty(); });
+    const bool stuck = std::ranges::any_of(acceptances, [](const auto& a) { return a.empty(); });
     if (!stuck) return std::nullopt;
     for (const lts::StateView state : form_.states(node))
         if (const diagnostics::Rule* const rule = rule_of(system_.standstill(state)))

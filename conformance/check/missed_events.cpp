@@ -53,8 +53,7 @@ private:
     void note(std::uint32_t event, const cpp_emit::EventPlace& place, std::uint32_t image) {
         Missed& all = missed(event, place.busy ? MissedWhile::busy : MissedWhile::condition);
         if (all.known.insert(image).second) all.images.push_back(image);
-        if (std::find(all.places.begin(), all.places.end(), place.element) == all.places.end())
-            all.places.push_back(place.element);
+        if (std::ranges::find(all.places, place.element) == all.places.end()) all.places.push_back(place.element);
     }
 
     /// Which of the registers from this one on make no difference. Recursion depth: the number of registers.
@@ -65,7 +64,7 @@ private:
         std::vector<bool> lost(inputs_ + 1, true);
         if (level < inputs_) {
             const std::vector<std::uint32_t> below = code_.below(node);
-            lost[level] = std::all_of(below.begin(), below.end(), [&](std::uint32_t each) { return each == below[0]; });
+            lost[level] = std::ranges::all_of(below, [&](std::uint32_t each) { return each == below[0]; });
             for (const std::uint32_t each : std::set<std::uint32_t>(below.begin(), below.end())) {
                 const std::vector<bool>& inner = lost_below(each, level + 1);
                 for (std::size_t i = level + 1; i < inputs_; ++i) lost[i] = lost[i] && inner[i];

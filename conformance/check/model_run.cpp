@@ -44,7 +44,7 @@ void settle(NormalFormSystem& system, const Alphabet& alphabet, refine::Run& run
     std::set<std::vector<lts::Word>> met{run.last()};
     for (;;) {
         const std::vector<refine::RunStep> steps = refine::steps_from(system, run.last(), budget);
-        const auto next = std::find_if(steps.begin(), steps.end(), silent);
+        const auto next = std::ranges::find_if(steps, silent);
         if (next == steps.end() || !met.insert(next->state).second) return;
         run.steps.push_back(*next);
     }
@@ -71,7 +71,7 @@ public:
         }
         for (const ModelEdge& edge : graph_.edges(at))
             if (edge.event != process::tau) result.offered.push_back(edge.event);
-        std::sort(result.offered.begin(), result.offered.end());
+        std::ranges::sort(result.offered);
         result.offered.erase(std::unique(result.offered.begin(), result.offered.end()), result.offered.end());
         return result;
     }
@@ -89,7 +89,7 @@ private:
             const auto role = alphabet_.cycle_role(event).kind;
             if (role == CycleRole::Kind::read || role == CycleRole::Kind::write) continue;
             const std::vector<ModelEdge>& edges = graph_.edges(at);
-            const auto edge = std::find_if(edges.begin(), edges.end(), [&](const ModelEdge& each) {
+            const auto edge = std::ranges::find_if(edges, [&](const ModelEdge& each) {
                 return each.target == *next && (each.event == event || each.revealed == event);
             });
             if (edge == edges.end()) continue;

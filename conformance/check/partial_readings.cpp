@@ -104,7 +104,7 @@ private:
             return;
         }
         const std::vector<std::uint32_t> below = code_.below(node);
-        const bool same = std::all_of(below.begin(), below.end(), [&](std::uint32_t each) { return each == below[0]; });
+        const bool same = std::ranges::all_of(below, [&](std::uint32_t each) { return each == below[0]; });
         if (same) return through_tree(below.front(), level + 1, readings);
         for (std::uint32_t reading = 0; reading < below.size(); ++reading) {
             readings[level] = reading;
@@ -176,7 +176,7 @@ private:
             const Position& position = positions_[at];
             cycles.push_back(cycle_of(position.readings, *position.result, position.result->writes.size()));
         }
-        std::reverse(cycles.begin(), cycles.end());
+        std::ranges::reverse(cycles);
         return cycles;
     }
 

@@ -26,7 +26,7 @@ Frame frame_for(const refine::Counterexample& found) {
 }
 
 bool writes_in(const std::vector<refine::Step>& steps, const Alphabet& alphabet) {
-    return std::any_of(steps.begin(), steps.end(), [&](const refine::Step& step) {
+    return std::ranges::any_of(steps, [&](const refine::Step& step) {
         const process::Event event = step.event == process::tau ? step.revealed : step.event;
         return alphabet.cycle_role(event).kind == CycleRole::Kind::write;
     });
@@ -44,7 +44,7 @@ std::string words_of(const runs::Event& event) {
 }
 
 void add(std::vector<std::string>& list, std::string text) {
-    const bool known = std::find(list.begin(), list.end(), text) != list.end();
+    const bool known = std::ranges::find(list, text) != list.end();
     if (!known && list.size() < most_listed) list.push_back(std::move(text));
 }
 

@@ -51,7 +51,7 @@ std::vector<const cpp_emit::OutputFile*> own_files(const cpp_emit::Emission& cod
             place != std::string::npos && !file.path.starts_with("robochart/"))
             files.push_back(&file);
     const auto place = [&](const cpp_emit::OutputFile* file) { return shim.text.find('"' + file->path + '"'); };
-    std::sort(files.begin(), files.end(), [&](const auto* a, const auto* b) { return place(a) < place(b); });
+    std::ranges::sort(files, [&](const auto* a, const auto* b) { return place(a) < place(b); });
     files.push_back(&shim);
     return files;
 }

@@ -220,7 +220,7 @@ std::uint32_t CodeSystem::run(const Bytes& from, const std::vector<rc_register>&
     do {
         if (++trials > max_trials) throw std::length_error("a cycle has too many choices");
         const std::uint32_t result = run_once(from, registers, log);
-        if (std::find(ways.begin(), ways.end(), result) == ways.end()) ways.push_back(result);
+        if (std::ranges::find(ways, result) == ways.end()) ways.push_back(result);
         if (ways.size() > max_ways) throw std::length_error("a cycle has too many branches");
     } while (next_choices(log));
     if (ways.size() == 1) return ways.front();
@@ -350,7 +350,7 @@ const CycleResult& CodeSystem::step(std::uint32_t image, const std::vector<std::
         const std::vector<process::Event>& made = results_[way].writes;
         return made.size() >= writes.size() && std::equal(writes.begin(), writes.end(), made.begin());
     };
-    const auto found = std::find_if(ways.begin(), ways.end(), begins);
+    const auto found = std::ranges::find_if(ways, begins);
     return results_[found == ways.end() ? ways.front() : *found];
 }
 

@@ -80,7 +80,7 @@ std::string decimal_text(std::int64_t value, std::int64_t scale) {
 std::optional<std::int64_t> number_of(const Carrier& carrier, const std::string& text) {
     if (carrier.kind == Carrier::Kind::boolean) return text == "true" ? 1 : 0;
     if (carrier.kind == Carrier::Kind::enumeration) {
-        const auto found = std::find(carrier.names.begin(), carrier.names.end(), text);
+        const auto found = std::ranges::find(carrier.names, text);
         if (found == carrier.names.end()) return std::nullopt;
         return found - carrier.names.begin();
     }
@@ -159,7 +159,7 @@ ModelRole Alphabet::find_role(const std::string& name) const {
         const auto rest = arguments_after(local, input.name);
         if (!rest) continue;
         if (input.texts.empty() && rest->empty()) return {ModelRole::Kind::input, i, 1};
-        const auto found = std::find(input.texts.begin(), input.texts.end(), rest->empty() ? *rest : rest->substr(1));
+        const auto found = std::ranges::find(input.texts, rest->empty() ? *rest : rest->substr(1));
         if (found == input.texts.end()) return {ModelRole::Kind::foreign};
         return {ModelRole::Kind::input, i, 1 + static_cast<std::uint32_t>(found - input.texts.begin())};
     }
@@ -179,7 +179,7 @@ CycleRole Alphabet::cycle_role(process::Event event) const {
     if (event == process::tick) return {CycleRole::Kind::tick};
     if (event == tock_) return {CycleRole::Kind::tock};
     for (std::uint32_t i = 0; i < reads_.size(); ++i) {
-        const auto found = std::find(reads_[i].begin(), reads_[i].end(), event);
+        const auto found = std::ranges::find(reads_[i], event);
         if (found != reads_[i].end())
             return {CycleRole::Kind::read, i, static_cast<std::uint32_t>(found - reads_[i].begin())};
     }

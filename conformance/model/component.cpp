@@ -205,8 +205,8 @@ void complete(Interface& interface, const ir::System& system, const ir::Instanti
     }
     for (const std::string& variable : unread_variables(system, ref)) {
         const std::string channel = "set_EXT_" + variable;
-        const bool has_register = std::any_of(interface.inputs.begin(), interface.inputs.end(),
-                                              [&](const Register& input) { return input.name == channel; });
+        const bool has_register =
+            std::ranges::any_of(interface.inputs, [&](const Register& input) { return input.name == channel; });
         if (!has_register) interface.blocked.push_back(channel);
     }
 }

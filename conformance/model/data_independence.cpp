@@ -198,8 +198,7 @@ bool DataIndependence::of(const ir::System& system, ir::TypeId id) const {
         case ir::TypeKind::record:
         case ir::TypeKind::vector:
         case ir::TypeKind::matrix:
-            return std::none_of(looked_into.begin(), looked_into.end(),
-                                [&](ir::TypeId other) { return same_type(system, id, other); });
+            return std::ranges::none_of(looked_into, [&](ir::TypeId other) { return same_type(system, id, other); });
     }
     return false;
 }

@@ -111,7 +111,7 @@ private:
     [[nodiscard]] bool carried(TypeKind kind, std::int64_t value) const {
         if (kind == TypeKind::given) return value >= 0 && value < instantiation_.given_size;
         const auto* const all = numbers(instantiation_, kind);
-        return std::binary_search(all->begin(), all->end(), value);
+        return std::ranges::binary_search(*all, value);
     }
 
     /// A literal, by its name in the model or in CSP.
@@ -278,14 +278,14 @@ ir::Value replaced(const LoggedPart& part, const ir::Instantiation& instantiatio
     }
     for (const LoggedPart& each : part.parts) value.parts.push_back(replaced(each, instantiation, salt));
     if (part.kind == TypeKind::set || part.kind == TypeKind::relation || part.kind == TypeKind::function) {
-        std::sort(value.parts.begin(), value.parts.end());
+        std::ranges::sort(value.parts);
         value.parts.erase(std::unique(value.parts.begin(), value.parts.end()), value.parts.end());
     }
     return value;
 }
 
 bool all_inside(const LoggedPart& part) {
-    return part.outside.empty() && std::all_of(part.parts.begin(), part.parts.end(), all_inside);
+    return part.outside.empty() && std::ranges::all_of(part.parts, all_inside);
 }
 
 /// Whether every number outside its carrier has a kind that is only passed on. Functions are total over their carriers,
@@ -293,8 +293,7 @@ bool all_inside(const LoggedPart& part) {
 bool only_passed_on(const LoggedPart& part, const DataIndependence& passed_on) {
     if (part.kind == TypeKind::function) return all_inside(part);
     return (part.outside.empty() || passed_on.of(part.kind)) &&
-           std::all_of(part.parts.begin(), part.parts.end(),
-                       [&](const LoggedPart& each) { return only_passed_on(each, passed_on); });
+           std::ranges::all_of(part.parts, [&](const LoggedPart& each) { return only_passed_on(each, passed_on); });
 }
 
 }  // namespace

@@ -43,10 +43,10 @@ ExprPtr after_tocks(std::uint32_t tocks, ExprPtr process) {
 }
 
 bool declares(const std::vector<DeclPtr>& decls, const std::string& name) {
-    return std::any_of(decls.begin(), decls.end(), [&](const DeclPtr& decl) {
+    return std::ranges::any_of(decls, [&](const DeclPtr& decl) {
         if (decl->kind == cspm::DeclKind::timed) return declares(decl->decls, name);
         const std::vector<std::string> names = cspm::declared_names(*decl);
-        return std::find(names.begin(), names.end(), name) != names.end();
+        return std::ranges::find(names, name) != names.end();
     });
 }
 
@@ -144,9 +144,9 @@ private:
     }
 
     [[nodiscard]] bool declares_external(const std::string& name) const {
-        return std::any_of(script_.decls.begin(), script_.decls.end(), [&](const DeclPtr& decl) {
+        return std::ranges::any_of(script_.decls, [&](const DeclPtr& decl) {
             return (decl->kind == cspm::DeclKind::external || decl->kind == cspm::DeclKind::transparent) &&
-                   std::find(decl->names.begin(), decl->names.end(), name) != decl->names.end();
+                   std::ranges::find(decl->names, name) != decl->names.end();
         });
     }
 

@@ -69,7 +69,7 @@ std::size_t NormalFormSystem::width() const {
 }
 
 void NormalFormSystem::initial(std::span<lts::Word> state) {
-    std::fill(state.begin(), state.end(), 0U);
+    std::ranges::fill(state, 0U);
     state[model_state] = model_->initial();
     begin_cycle(state);
 }
@@ -121,7 +121,7 @@ void NormalFormSystem::successors(lts::StateView state, lts::SuccessorSink& sink
 bool NormalFormSystem::awaits_input(lts::StateView state) {
     if (state[phase] != acting || state[pending] != 0 || state[model_state] == gone) return false;
     const std::vector<ModelEdge>& edges = model_->edges(state[model_state]);
-    return std::any_of(edges.begin(), edges.end(), [this](const ModelEdge& edge) {
+    return std::ranges::any_of(edges, [this](const ModelEdge& edge) {
         return edge.role.kind == ModelRole::Kind::input && model_->goes_on(edge.target);
     });
 }
@@ -157,7 +157,7 @@ Standstill NormalFormSystem::standstill(lts::StateView state) {
 Standstill NormalFormSystem::standstill_in_mid_cycle(lts::StateView state) {
     if (state[model_state] == gone) return Standstill::end_in_mid_cycle;
     const std::vector<ModelEdge>& edges = model_->edges(state[model_state]);
-    const auto offers = [&edges](const auto& fits) { return std::any_of(edges.begin(), edges.end(), fits); };
+    const auto offers = [&edges](const auto& fits) { return std::ranges::any_of(edges, fits); };
     using Kind = ModelRole::Kind;
     if (offers([](const ModelEdge& edge) { return edge.role.kind == Kind::output; }))
         return Standstill::output_in_mid_cycle;
@@ -280,7 +280,7 @@ void NormalFormSystem::pass_time(Move& move, const ModelEdge& edge) {
 void NormalFormSystem::terminate(Move& move) {
     if (move.from[phase] != acting || move.from[pending] != 0) return;
     std::vector<lts::Word>& next = move.restart();
-    std::fill(next.begin(), next.end(), 0U);
+    std::ranges::fill(next, 0U);
     next[phase] = ending;
     move.silent(process::tick);
 }

@@ -39,7 +39,7 @@ std::vector<std::string> elements_of_state(const std::string& description, const
         const auto found = provenance.definitions.find(name);
         if (found == provenance.definitions.end()) continue;
         const std::string text = with_place(found->second.text, found->second.origin, sources);
-        if (std::find(elements.begin(), elements.end(), text) == elements.end()) elements.push_back(text);
+        if (std::ranges::find(elements, text) == elements.end()) elements.push_back(text);
     }
     return elements;
 }

@@ -185,8 +185,8 @@ private:
 
     /// A kind of numbers at the boundary: the initial and written numbers of the component, and the two next to them.
     void numbers(ir::TypeKind kind, std::vector<std::int64_t>& carrier) {
-        const bool used = std::any_of(seen_.begin(), seen_.end(),
-                                      [&](std::uint32_t index) { return system_.types[index].kind == kind; });
+        const bool used =
+            std::ranges::any_of(seen_, [&](std::uint32_t index) { return system_.types[index].kind == kind; });
         if (!used || !independent_.of(kind)) return;
         std::set<std::int64_t> kept{0};
         for_each_fixed([&](ir::TypeId type, const ir::Value& value) { leaves(system_.type(type), value, kind, kept); });
@@ -241,11 +241,11 @@ private:
 bool represented(const ir::System& system, const Representatives& few, ir::TypeId id) {
     const ir::Type& type = system.type(id);
     const auto same = [&](const RepresentedType& each) { return same_type(system, each.type, id); };
-    if (std::any_of(few.types.begin(), few.types.end(), same)) return true;
+    if (std::ranges::any_of(few.types, same)) return true;
     const auto inside = [&](ir::TypeId part) { return represented(system, few, part); };
-    return std::any_of(type.args.begin(), type.args.end(), inside) ||
-           std::any_of(type.literal_args.begin(), type.literal_args.end(),
-                       [&](const auto& arguments) { return std::any_of(arguments.begin(), arguments.end(), inside); });
+    return std::ranges::any_of(type.args, inside) || std::ranges::any_of(type.literal_args, [&](const auto& arguments) {
+               return std::ranges::any_of(arguments, inside);
+           });
 }
 
 Representatives representatives(const ir::System& system, const ir::Instantiation& instantiation,

@@ -55,7 +55,7 @@ public:
         std::vector<EventSet> all;
         for (const StateIndex state : Members(members(set)))
             if (auto accepted = refine::acceptance(graph_.offer(state))) all.push_back(std::move(*accepted));
-        std::sort(all.begin(), all.end());
+        std::ranges::sort(all);
         all.erase(std::unique(all.begin(), all.end()), all.end());
         return all;
     }
@@ -67,7 +67,7 @@ public:
             for (const Event event : offer.events)
                 if (event != tock_ || (!offer.tau && !offer.ticks())) all.push_back(event);
         }
-        std::sort(all.begin(), all.end());
+        std::ranges::sort(all);
         all.erase(std::unique(all.begin(), all.end()), all.end());
         return all;
     }
@@ -75,9 +75,7 @@ public:
     [[nodiscard]] std::size_t size() const { return sets_.size(); }
 
 private:
-    static bool within(const EventSet& small, const EventSet& large) {
-        return std::includes(large.begin(), large.end(), small.begin(), small.end());
-    }
+    static bool within(const EventSet& small, const EventSet& large) { return std::ranges::includes(large, small); }
     [[nodiscard]] const Members& members(SetNumber set) const { return *sets_[set]; }
 
     void take(Members& states, StateIndex state) {
@@ -96,7 +94,7 @@ private:
             for (const auto& edge : graph_.edges(states[at], process::tau)) take(states, edge.target);
             budget_.charge();
         }
-        std::sort(states.begin(), states.end());
+        std::ranges::sort(states);
         const auto [place, fresh] = ids_.emplace(std::move(states), static_cast<SetNumber>(sets_.size()));
         if (fresh) sets_.push_back(&place->first);
         return place->second;
@@ -198,7 +196,7 @@ private:
         for (; at != 0; at = origins_[at].parent)
             found.steps.push_back(
                 {origins_[at].event, origins_[at].event, system_.describe(graph_.state(pairs_[at].state))});
-        std::reverse(found.steps.begin(), found.steps.end());
+        std::ranges::reverse(found.steps);
         found.initial = system_.describe(graph_.state(pairs_.front().state));
         return found;
     }

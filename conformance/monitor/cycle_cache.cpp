@@ -49,7 +49,7 @@ std::uint32_t CycleCache::carrier(const MonitorValues& values, bool real) {
         return other.real == real && others.scale == values.scale && others.passed_on == values.passed_on &&
                std::equal(others.value, others.value + others.count, values.value, values.value + values.count);
     };
-    const auto found = std::find_if(carriers_.begin(), carriers_.end(), same);
+    const auto found = std::ranges::find_if(carriers_, same);
     if (found != carriers_.end()) return static_cast<std::uint32_t>(found - carriers_.begin());
     Carrier& made = carriers_.emplace_back();
     made.values = &values;

@@ -56,7 +56,7 @@ std::vector<std::string> elements_of(CyclicModel& model, const refine::NormalFor
         if (sink.found || !model.normal_form().begins_cycle(state)) continue;
         const std::string text = model.normal_form().describe_model(state);
         for (std::string& element : elements_of_state(text, model.provenance(), sources))
-            if (std::find(result.begin(), result.end(), element) == result.end() && result.size() < 4)
+            if (std::ranges::find(result, element) == result.end() && result.size() < 4)
                 result.push_back(std::move(element));
     }
     return result;

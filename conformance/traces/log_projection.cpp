@@ -59,7 +59,7 @@ ObservedSystem::ObservedSystem(NormalFormSystem& normal_form, const Alphabet& al
 
 void ObservedSystem::initial(std::span<lts::Word> state) {
     if (starts_.empty()) return normal_form_->initial(state);
-    std::fill(state.begin(), state.end(), anywhere);
+    std::ranges::fill(state, anywhere);
 }
 
 void ObservedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {

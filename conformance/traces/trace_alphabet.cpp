@@ -58,7 +58,7 @@ std::string listed(const std::vector<std::string>& names) {
 }  // namespace
 
 bool LoggedEvent::inside() const {
-    return std::all_of(values.begin(), values.end(), [](const LoggedValue& v) { return v.number.has_value(); });
+    return std::ranges::all_of(values, [](const LoggedValue& v) { return v.number.has_value(); });
 }
 
 TraceAlphabet::TraceAlphabet(const CyclicModel& model) : model_(&model) {
@@ -155,7 +155,7 @@ process::Event TraceAlphabet::stand_in(const LoggedEvent& event, std::uint64_t s
         if (event.values.empty()) return alphabet.read(event.index, 1);
         const std::int64_t number = input_values_[event.index]->stand_in(event.values.front(), salt);
         const auto& values = model_->interface().inputs[event.index].values;
-        const auto place = std::find(values.begin(), values.end(), number);
+        const auto place = std::ranges::find(values, number);
         return alphabet.read(event.index, 1 + static_cast<std::uint32_t>(place - values.begin()));
     }
     std::vector<std::int64_t> numbers;

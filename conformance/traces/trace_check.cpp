@@ -133,7 +133,7 @@ private:
         const TraceHeader& header = report_.header;
         const auto& names = checker_.component_;
         if (header.component.empty()) throw TraceFault{&rules::log_syntax, {"`component NAME` in the header", "none"}};
-        if (std::find(names.begin(), names.end(), header.component) == names.end())
+        if (std::ranges::find(names, header.component) == names.end())
             throw TraceFault{&rules::log_of_other, {header.component, names.front()}};
         if (header.cycle != model_.cycle_length())
             throw TraceFault{&rules::log_of_other,
@@ -197,7 +197,7 @@ private:
     }
 
     void begin_cycle() {
-        std::fill(reads_.begin(), reads_.end(), process::tau);
+        std::ranges::fill(reads_, process::tau);
         cycle_node_ = node_;
         clean_ = true;
         acted_ = false;
@@ -353,7 +353,7 @@ private:
         constexpr std::size_t most = 8;
         for (std::string& element : elements_of_state(state, model_.provenance(), *checker_.sources_)) {
             std::vector<std::string>& all = run_->elements;
-            const bool known = std::find(all.begin(), all.end(), element) != all.end();
+            const bool known = std::ranges::find(all, element) != all.end();
             if (!known && all.size() < most) all.push_back(std::move(element));
         }
     }

@@ -47,13 +47,13 @@ public:
 private:
     void add_base(const std::string& interface, NameScope& classes) {
         const auto same = [&](const ApiClass& base) { return base.interface == interface; };
-        if (std::none_of(api_.bases.begin(), api_.bases.end(), same))
+        if (std::ranges::none_of(api_.bases, same))
             api_.bases.push_back({interface, classes.unique(interface), {}, {}, {}});
     }
 
     ApiClass& home(const std::string& interface) {
-        const auto found = std::find_if(api_.bases.begin(), api_.bases.end(),
-                                        [&](const ApiClass& base) { return base.interface == interface; });
+        const auto found =
+            std::ranges::find_if(api_.bases, [&](const ApiClass& base) { return base.interface == interface; });
         return found == api_.bases.end() ? api_.own : *found;
     }
 

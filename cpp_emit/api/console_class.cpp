@@ -61,8 +61,8 @@ private:
         out_.line("const std::string_view word = in.word();");
         for (std::size_t literal = 0; literal < type.labels.size(); ++literal) {
             std::vector<TypeMember> given;
-            std::copy_if(all.begin(), all.end(), std::back_inserter(given),
-                         [&](const TypeMember& member) { return member.literal == literal; });
+            std::ranges::copy_if(all, std::back_inserter(given),
+                                 [&](const TypeMember& member) { return member.literal == literal; });
             out_.open(fmt::format("if (word == {} || word == \"{}\") {{", cpp_string(type.labels[literal]), literal));
             out_.line(is_struct(type) ? fmt::format("value.kind = {}::Kind::{};", name, literal_name(type, literal))
                                       : fmt::format("value = {}::{};", name, literal_name(type, literal)));
@@ -236,8 +236,7 @@ std::string described(const ir::Type& type) {
             return fmt::format("a value of {}, as in logs", type.name);
     }
     constexpr std::size_t most = 16;
-    const bool plain = std::all_of(type.literal_args.begin(), type.literal_args.end(),
-                                   [](const auto& arguments) { return arguments.empty(); });
+    const bool plain = std::ranges::all_of(type.literal_args, [](const auto& arguments) { return arguments.empty(); });
     if (!plain || type.labels.size() > most) return fmt::format("a literal of {}, as in logs", type.name);
     return fmt::format("one of {}", fmt::join(type.labels, ", "));
 }

@@ -70,8 +70,8 @@ bool MachinePlan::passes(NodeId id) const {
 
 bool MachinePlan::exits_below(NodeId id) const {
     const auto& children = node(id).children;
-    return std::any_of(children.begin(), children.end(),
-                       [&](NodeId child) { return node(child).exit != nullptr || exits_below(child); });
+    return std::ranges::any_of(children,
+                               [&](NodeId child) { return node(child).exit != nullptr || exits_below(child); });
 }
 
 std::vector<NodeId> MachinePlan::chain(NodeId id) const {
@@ -92,7 +92,7 @@ bool MachinePlan::notes_entry(NodeId id) const {
 
 bool MachinePlan::watched(NodeId id) const {
     const auto& outgoing = node(id).outgoing;
-    return std::any_of(outgoing.begin(), outgoing.end(), [&](ir::TransitionId transition) {
+    return std::ranges::any_of(outgoing, [&](ir::TransitionId transition) {
         return machine().transitions[transition.index].deadline != nullptr;
     });
 }
@@ -101,7 +101,7 @@ bool MachinePlan::needs_entry(NodeId id) const {
     if (!settles(id)) return node(id).kind == NodeKind::state;
     const std::vector<NodeId> around = chain(id);
     const auto noted = [&](NodeId state) { return notes_entry(state); };
-    return node(id).entry != nullptr || std::any_of(around.begin(), around.end(), noted);
+    return node(id).entry != nullptr || std::ranges::any_of(around, noted);
 }
 
 bool MachinePlan::shared_exit(NodeId id) const {
@@ -109,7 +109,7 @@ bool MachinePlan::shared_exit(NodeId id) const {
     if (state.kind != NodeKind::state) return false;
     const auto waits_while_left = [&](NodeId left) { return !node(left).outgoing.empty() && !straight_exits(left); };
     const std::vector<NodeId> around = ancestors(id);
-    if (std::any_of(around.begin(), around.end(), waits_while_left)) return true;
+    if (std::ranges::any_of(around, waits_while_left)) return true;
     return waits_while_left(id) && (state.composite() || state.outgoing.size() > 1);
 }
 

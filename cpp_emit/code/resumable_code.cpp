@@ -400,8 +400,8 @@ void ProgramWriter::offer_to_platform(const Unit& operation, const std::string& 
     const std::string offer = fmt::format("platform_.{}({})", generation_.component.modelled_call(operation.id).method,
                                           fmt::join(texts, ", "));
     const auto& machine = *operation.machine;
-    const auto final = std::find_if(machine.top.begin(), machine.top.end(),
-                                    [&](ir::NodeId id) { return machine.nodes[id.index].kind == ir::NodeKind::final; });
+    const auto final = std::ranges::find_if(
+        machine.top, [&](ir::NodeId id) { return machine.nodes[id.index].kind == ir::NodeKind::final; });
     if (!machine.initial.valid()) {
         code().line(fmt::format("static_cast<void>({});", offer));
     } else if (final != machine.top.end()) {

@@ -14,7 +14,7 @@ using ir::CommKind;
 using ir::StmtKind;
 
 bool guards_deadlines(const ir::Machine& machine) {
-    return std::any_of(machine.transitions.begin(), machine.transitions.end(), [&](const ir::Transition& transition) {
+    return std::ranges::any_of(machine.transitions, [&](const ir::Transition& transition) {
         const bool leaves_state = machine.nodes[transition.source.index].kind == ir::NodeKind::state;
         return transition.deadline && transition.guard && leaves_state;
     });
@@ -35,7 +35,7 @@ namespace {
 /// Whether the statement blocks forever if a function is called outside its precondition.
 bool may_be_stuck(const Generation& generation, const Unit& unit, const ir::Stmt& stmt) {
     const auto expressions = evaluated_first(stmt);
-    return std::any_of(expressions.begin(), expressions.end(), [&](const ir::Expr* expr) {
+    return std::ranges::any_of(expressions, [&](const ir::Expr* expr) {
         return ir::preconditions_can_fail(generation.system, generation.inst, unit.constants, *expr);
     });
 }
@@ -69,8 +69,7 @@ bool suspends_itself(const Generation& generation, const Unit& unit, const ir::S
 bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr& stmt) {
     if (!stmt) return false;
     return suspends_itself(generation, unit, *stmt) ||
-           std::any_of(stmt->body.begin(), stmt->body.end(),
-                       [&](const ir::StmtPtr& part) { return suspends(generation, unit, part); });
+           std::ranges::any_of(stmt->body, [&](const ir::StmtPtr& part) { return suspends(generation, unit, part); });
 }
 
 namespace {
@@ -92,8 +91,8 @@ bool may_rest(const ir::Machine& operation) {
         const ir::Transition& transition = operation.transitions[id.index];
         return !transition.trigger && !transition.guard;
     };
-    return std::any_of(operation.nodes.begin(), operation.nodes.end(), [&](const ir::Node& node) {
-        return node.kind == ir::NodeKind::state && std::none_of(node.outgoing.begin(), node.outgoing.end(), leaves);
+    return std::ranges::any_of(operation.nodes, [&](const ir::Node& node) {
+        return node.kind == ir::NodeKind::state && std::ranges::none_of(node.outgoing, leaves);
     });
 }
 

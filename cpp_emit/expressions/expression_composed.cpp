@@ -168,8 +168,8 @@ std::string ExpressionWriter::is_type(const ir::Expr& expr) const {
 }
 
 bool ExpressionWriter::block_arithmetic(const ir::Expr& expr) const {
-    return std::any_of(expr.args.begin(), expr.args.end(),
-                       [&](const ir::ExprPtr& arg) { return block(generation_.system.type(arg->type)); });
+    return std::ranges::any_of(expr.args,
+                               [&](const ir::ExprPtr& arg) { return block(generation_.system.type(arg->type)); });
 }
 
 /// A vector or matrix with entries of the type, or a number of that type.

@@ -93,7 +93,7 @@ private:
 
     /// Whether all operands are single numbers, not vectors or matrices.
     [[nodiscard]] bool numbers() const {
-        return std::all_of(expr_.args.begin(), expr_.args.end(), [&](const ir::ExprPtr& each) {
+        return std::ranges::all_of(expr_.args, [&](const ir::ExprPtr& each) {
             const ir::TypeKind type = kind(*each);
             return type == ir::TypeKind::nat || type == ir::TypeKind::integer || type == ir::TypeKind::real;
         });
@@ -176,8 +176,8 @@ ir::ExprPtr number(const ir::System& system, ir::TypeId type, std::int64_t value
 
 /// The model's boolean type, which exists if a machine has a condition.
 ir::TypeId boolean(const ir::System& system) {
-    const auto found = std::find_if(system.types.begin(), system.types.end(),
-                                    [](const ir::Type& type) { return type.kind == ir::TypeKind::boolean; });
+    const auto found =
+        std::ranges::find_if(system.types, [](const ir::Type& type) { return type.kind == ir::TypeKind::boolean; });
     if (found == system.types.end()) return {};
     return {static_cast<std::uint32_t>(found - system.types.begin())};
 }
@@ -203,7 +203,7 @@ ir::TypeId part_type(const ir::System& system, const Expr& whole, std::size_t pl
 ir::ExprPtr default_parts(const ir::System& system, const ir::Instantiation& inst, ir::TypeId id, ExprKind kind) {
     std::vector<ir::ExprPtr> parts;
     for (const ir::TypeId part : system.type(id).args) parts.push_back(default_literal(system, inst, part));
-    const bool known = std::none_of(parts.begin(), parts.end(), [](const ir::ExprPtr& part) { return !part; });
+    const bool known = std::ranges::none_of(parts, [](const ir::ExprPtr& part) { return !part; });
     return known ? std::make_shared<Expr>(operation(kind, id, std::move(parts))) : nullptr;
 }
 

@@ -47,7 +47,7 @@ private:
         if (node.kind == NodeKind::probabilistic || node.outgoing.size() < 2) return;
         const bool state = node.kind == NodeKind::state;
         if (mutation_.hits(state ? Fault::transitions_reversed : Fault::junction_reversed))
-            std::reverse(node.outgoing.begin(), node.outgoing.end());
+            std::ranges::reverse(node.outgoing);
     }
 
     void rewrite(ir::Transition& transition) {
@@ -128,7 +128,7 @@ private:
         for (const NodeId id : siblings)
             if (id != target && machine_.nodes[id.index].kind == NodeKind::state) others.push_back(id);
         if (others.empty()) return {};
-        const auto next = std::find_if(others.begin(), others.end(), [&](NodeId id) { return id > target; });
+        const auto next = std::ranges::find_if(others, [&](NodeId id) { return id > target; });
         return next == others.end() ? others.front() : *next;
     }
 

@@ -200,9 +200,8 @@ ir::OperationId StatementFaults::other_operation(ir::OperationId own) const {
     const auto& all = unit_.machine->operations;
     for (std::size_t step = 1; step < all.size(); ++step) {
         const auto place = static_cast<std::uint32_t>((own.index + step) % all.size());
-        const bool called =
-            std::any_of(component_.calls.begin(), component_.calls.end(),
-                        [&](const PlatformCall& call) { return call.signature->name == all[place].name; });
+        const bool called = std::ranges::any_of(
+            component_.calls, [&](const PlatformCall& call) { return call.signature->name == all[place].name; });
         if (called && !unit_.definitions[place].valid() && all[place].parameters == all[own.index].parameters)
             return {place};
     }
@@ -234,8 +233,8 @@ StmtPtr StatementFaults::run_again(const StmtPtr& program) const {
     ir::Expr unit;
     unit.kind = ir::ExprKind::integer;
     unit.number = 1;
-    const auto nat = std::find_if(system_.types.begin(), system_.types.end(),
-                                  [](const ir::Type& type) { return type.kind == ir::TypeKind::nat; });
+    const auto nat =
+        std::ranges::find_if(system_.types, [](const ir::Type& type) { return type.kind == ir::TypeKind::nat; });
     if (nat == system_.types.end()) return program;
     unit.type = {static_cast<std::uint32_t>(nat - system_.types.begin())};
     return one_after_the_other({program, pause(*program, std::make_shared<ir::Expr>(std::move(unit))), program});

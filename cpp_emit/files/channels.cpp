@@ -72,7 +72,7 @@ private:
         if (place.site->value.empty()) return;
         for (const Running& outer : place.calls) {
             const auto& lenders = running.unit->lenders;
-            if (std::find(lenders.begin(), lenders.end(), outer.unit->number) != lenders.end())
+            if (std::ranges::find(lenders, outer.unit->number) != lenders.end())
                 out_.line(fmt::format("[[maybe_unused]] {}{} = {};", reference, lent_frame(*outer.unit), outer.frame));
         }
     }

@@ -87,8 +87,8 @@ void write_makers(const Generation& generation, CodeWriter& out, const ir::Type&
     if (type.kind != ir::TypeKind::enumeration) return write_maker(generation, out, name, "make", all, "");
     for (std::size_t literal = 0; literal < type.labels.size(); ++literal) {
         std::vector<TypeMember> given;
-        std::copy_if(all.begin(), all.end(), std::back_inserter(given),
-                     [&](const TypeMember& member) { return member.literal == literal; });
+        std::ranges::copy_if(all, std::back_inserter(given),
+                             [&](const TypeMember& member) { return member.literal == literal; });
         const std::string label = literal_name(type, literal);
         write_maker(generation, out, name, label, given, fmt::format("value.kind = Kind::{};", label));
     }
@@ -462,7 +462,7 @@ std::string core_header(const Generation& generation, const Core& core) {
     std::vector<std::string> headers = {"robochart/runtime.hpp"};
     for (const OutputFile& header : value_headers(generation.component))
         if (header.path != "robochart/eigen.hpp") headers.push_back(header.path);
-    std::sort(headers.begin(), headers.end());
+    std::ranges::sort(headers);
     for (const std::string& header : headers) out.line(fmt::format("#include \"{}\"", header));
     out.gap();
     out.line(fmt::format("namespace {} {{", core.name_space));

@@ -57,7 +57,7 @@ private:
     [[nodiscard]] std::vector<bool> raised(const EventUse& use) const {
         std::vector<bool> result(events_.size());
         for (const std::size_t port : use.ports) {
-            const auto found = std::find(events_.begin(), events_.end(), &generation_.component.events[port]);
+            const auto found = std::ranges::find(events_, &generation_.component.events[port]);
             if (found != events_.end()) result[static_cast<std::size_t>(found - events_.begin())] = true;
         }
         return result;
@@ -86,8 +86,8 @@ private:
                 const ir::Transition& transition = machine.transitions[id.index];
                 if (!transition.trigger) continue;
                 const std::string& name = machine.events[transition.trigger->event.index].name;
-                const auto use = std::find_if(part.events.begin(), part.events.end(),
-                                              [&](const EventUse& each) { return each.name == name; });
+                const auto use =
+                    std::ranges::find_if(part.events, [&](const EventUse& each) { return each.name == name; });
                 if (use == part.events.end()) continue;
                 const std::vector<bool> events = raised(*use);
                 for (std::size_t i = 0; i < events.size(); ++i)

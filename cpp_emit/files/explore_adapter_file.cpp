@@ -147,8 +147,7 @@ private:
         for (const Output& output : outputs_) types.insert(types.end(), output.types.begin(), output.types.end());
         std::vector<ir::TypeId> done;
         for (const ir::TypeId id : types) {
-            if (!composed(generation_.system.type(id)) || std::find(done.begin(), done.end(), id) != done.end())
-                continue;
+            if (!composed(generation_.system.type(id)) || std::ranges::find(done, id) != done.end()) continue;
             done.push_back(id);
             out_.gap();
             out_.open(fmt::format("const {} {}[] = {{", type(id), table(id)));

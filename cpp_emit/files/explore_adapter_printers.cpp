@@ -52,30 +52,29 @@ void name_function(CodeWriter& out, const std::string& type,
 
 bool StatePrinters::frame(const std::string& type) const {
     const auto& units = generation_.component.units;
-    return std::any_of(units.begin(), units.end(), [&](const Unit& unit) { return unit.frame + "<Types>" == type; });
+    return std::ranges::any_of(units, [&](const Unit& unit) { return unit.frame + "<Types>" == type; });
 }
 
 bool StatePrinters::words_of_logs() const {
     const auto any = [&](const FrameLayout& layout) {
-        return std::any_of(layout.fields.begin(), layout.fields.end(),
-                           [&](const Field& field) { return !frame(field.type) && of_parts(held(field.type)); });
+        return std::ranges::any_of(
+            layout.fields, [&](const Field& field) { return !frame(field.type) && of_parts(held(field.type)); });
     };
-    return any(core_.layout) || std::any_of(core_.machines.begin(), core_.machines.end(),
-                                            [&](const MachineCode& machine) { return any(machine.layout); });
+    return any(core_.layout) ||
+           std::ranges::any_of(core_.machines, [&](const MachineCode& machine) { return any(machine.layout); });
 }
 
 /// Whether the type is an enumeration of the machines' code, or one of the model.
 bool StatePrinters::named(const std::string& type) const {
     const auto of_code = [&](const MachineCode& machine) {
-        return std::any_of(machine.enumerations.begin(), machine.enumerations.end(),
-                           [&](const Enumeration& enumeration) { return enumeration.name == type; });
+        return std::ranges::any_of(machine.enumerations,
+                                   [&](const Enumeration& enumeration) { return enumeration.name == type; });
     };
     const auto of_model = [&](ir::TypeId id) {
         return named_type(generation_.system.type(id)) && cpp_type(generation_.system, id) == type;
     };
     const auto& declared = generation_.component.enumerations;
-    return std::any_of(core_.machines.begin(), core_.machines.end(), of_code) ||
-           std::any_of(declared.begin(), declared.end(), of_model);
+    return std::ranges::any_of(core_.machines, of_code) || std::ranges::any_of(declared, of_model);
 }
 
 std::string StatePrinters::value_printer(const std::string& type, const std::string& value) const {

@@ -111,8 +111,8 @@ private:
         out_.open(parts ? "switch (value.kind) {" : "switch (value) {");
         for (std::size_t literal = 0; literal < type.labels.size(); ++literal) {
             std::vector<TypeMember> given;
-            std::copy_if(all.begin(), all.end(), std::back_inserter(given),
-                         [&](const TypeMember& member) { return member.literal == literal; });
+            std::ranges::copy_if(all, std::back_inserter(given),
+                                 [&](const TypeMember& member) { return member.literal == literal; });
             const std::string label = fmt::format("case {}::{}:", scope, literal_name(type, literal));
             const std::string word = cpp_string(type.labels[literal]);
             if (given.empty()) {

@@ -25,7 +25,7 @@ std::vector<std::string> trace_names(const std::vector<std::string>& interface_n
     for (const std::string& name : interface_names) all.push_back(short_name(name));
     std::vector<std::string> result;
     for (std::size_t i = 0; i < all.size(); ++i)
-        result.push_back(std::count(all.begin(), all.end(), all[i]) == 1 ? all[i] : interface_names[i]);
+        result.push_back(std::ranges::count(all, all[i]) == 1 ? all[i] : interface_names[i]);
     return result;
 }
 

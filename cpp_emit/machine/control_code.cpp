@@ -98,7 +98,7 @@ void ControlCode::enter_place(NodeId id) {
 void ControlCode::exits(NodeId id) {
     const auto left = [&](NodeId state) { return !plan_.node(state).outgoing.empty(); };
     const std::vector<NodeId> around = plan_.chain(id);
-    if (plan_.node(id).kind != NodeKind::state || std::none_of(around.begin(), around.end(), left)) return;
+    if (plan_.node(id).kind != NodeKind::state || std::ranges::none_of(around, left)) return;
     if (plan_.node(id).exit && !suspends(generation_, unit_, plan_.node(id).exit)) straight_.exit_function(id);
     if (plan_.straight_exits(id) && plan_.exits_below(id)) straight_.leave_function(id);
     if (plan_.shared_exit(id)) exit_place(id);

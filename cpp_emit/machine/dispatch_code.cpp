@@ -37,7 +37,7 @@ bool DispatchCode::direct() const {
     const auto& transitions = plan_.machine().transitions;
     return unit_.root && !generation_.component.composed() && during_.empty() && !guards_deadlines(*unit_.machine) &&
            faultless_cycle(generation_.options) && !generation_.options.choices && plan_.machine().initial.valid() &&
-           std::none_of(transitions.begin(), transitions.end(), waits);
+           std::ranges::none_of(transitions, waits);
 }
 
 /// Whether the transition waits for no event of the platform.
@@ -55,10 +55,10 @@ bool DispatchCode::asks_for(const ir::Transition& transition, const EventPort& p
 bool DispatchCode::goes_on(NodeId rest) const {
     if (!plan_.settles(rest)) return true;
     const std::vector<NodeId> chain = plan_.chain(rest);
-    return std::any_of(chain.begin(), chain.end(), [&](NodeId state) {
+    return std::ranges::any_of(chain, [&](NodeId state) {
         const auto& ways = plan_.node(state).outgoing;
-        return std::any_of(ways.begin(), ways.end(),
-                           [&](ir::TransitionId way) { return urgent(plan_.machine().transitions[way.index]); });
+        return std::ranges::any_of(
+            ways, [&](ir::TransitionId way) { return urgent(plan_.machine().transitions[way.index]); });
     });
 }
 
@@ -74,8 +74,8 @@ bool DispatchCode::look_after(NodeId target) const {
         const ir::Node& node = plan_.node(at);
         const bool chooses = !plan_.settles(at) && node.kind != NodeKind::state;
         if (chooses) {
-            const bool rests = std::any_of(control_.places.begin(), control_.places.end(),
-                                           [&](const Place& place) { return place.label == plan_.label(at); });
+            const bool rests = std::ranges::any_of(control_.places,
+                                                   [&](const Place& place) { return place.label == plan_.label(at); });
             if (rests) return true;
             for (const ir::TransitionId way : node.outgoing)
                 open.push_back(plan_.machine().transitions[way.index].target);
@@ -110,7 +110,7 @@ void DispatchCode::case_effect(const ir::Transition& transition, const EventPort
     out.line(steps_.tell_taken(id));
     for (const Watch& watch : watches_) {
         const std::vector<NodeId> around = plan_.chain(watch.state);
-        const bool left = std::find(around.begin(), around.end(), transition.source) != around.end();
+        const bool left = std::ranges::find(around, transition.source) != around.end();
         if (left) out.line(fmt::format("f.{} = 0;", watch.field));
     }
     const std::string exits = steps_.leave(transition.source);
@@ -142,7 +142,7 @@ std::vector<const ir::Transition*> DispatchCode::candidates(NodeId leaf, const E
         if (!own.empty()) by_state.push_back(std::move(own));
     }
     if (by_state.size() > 1 && generation_.mutation.hits(Fault::dispatch_outer_first, port, &plan_.node(leaf)))
-        std::reverse(by_state.begin(), by_state.end());
+        std::ranges::reverse(by_state);
     std::vector<const ir::Transition*> all;
     for (const auto& own : by_state) all.insert(all.end(), own.begin(), own.end());
     return all;
@@ -209,8 +209,8 @@ void DispatchCode::dispatch_function() {
         quiet = quiet || (plan_.settles(row) && goes_on(row));
     }
     // The row for the machine's beginning keeps its event.
-    const bool places = std::any_of(rows.begin(), rows.end(),
-                                    [&](NodeId row) { return !plan_.settles(row) && row != plan_.machine().initial; });
+    const bool places =
+        std::ranges::any_of(rows, [&](NodeId row) { return !plan_.settles(row) && row != plan_.machine().initial; });
     if (quiet || places) columns.push_back(nullptr);
     const Strategy wanted = generation_.options.strategy;
     const bool table = wanted == Strategy::table || (wanted == Strategy::automatic && leaves >= leaves_for_table);
@@ -279,7 +279,7 @@ void DispatchCode::pass_function_of_time(const std::vector<const EventPort*>& co
 /// The event itself; with Fault::dispatch_shifted the next one, if it is another case.
 const EventPort* DispatchCode::taken_for(NodeId row, const EventPort& port,
                                          const std::vector<const EventPort*>& columns) {
-    const auto place = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), &port) - columns.begin());
+    const auto place = static_cast<std::size_t>(std::ranges::find(columns, &port) - columns.begin());
     const EventPort* const beside = columns[(place + 1) % columns.size()];
     const bool other =
         generation_.mutation.seeded(Fault::dispatch_shifted) && case_body(row, &port, 7) != case_body(row, beside, 7);
@@ -331,7 +331,7 @@ void DispatchCode::dispatch_table(const std::vector<NodeId>& rows, const std::ve
         for (const EventPort* port : columns) {
             const EventPort* const taken = port == nullptr ? nullptr : taken_for(row, *port, columns);
             const std::string body = case_body(row, taken, 5);
-            const auto known = std::find(bodies.begin(), bodies.end(), body);
+            const auto known = std::ranges::find(bodies, body);
             const auto number = static_cast<std::size_t>(known - bodies.begin()) + 1;
             if (!body.empty() && known == bodies.end()) bodies.push_back(body);
             numbers.push_back(body.empty() ? "0" : fmt::format("{}", number));

@@ -106,8 +106,7 @@ Enumeration FrameCode::points() const {
         return at;
     }
     const auto is_place = [&](const std::string& label) {
-        return std::any_of(control_.places.begin(), control_.places.end(),
-                           [&](const Place& place) { return place.label == label; });
+        return std::ranges::any_of(control_.places, [&](const Place& place) { return place.label == label; });
     };
     const auto node_value = [&](NodeId id) {
         const bool state = plan_.node(id).kind == ir::NodeKind::state;

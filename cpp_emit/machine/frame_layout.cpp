@@ -20,8 +20,7 @@ std::string filler_text(const FrameLayout& layout) {
 }  // namespace
 
 FrameLayout arrange(std::vector<Field> fields, bool timed) {
-    std::stable_sort(fields.begin(), fields.end(),
-                     [](const Field& a, const Field& b) { return a.alignment > b.alignment; });
+    std::ranges::stable_sort(fields, [](const Field& a, const Field& b) { return a.alignment > b.alignment; });
     FrameLayout layout;
     layout.timed = timed;
     for (const Field& field : fields) {

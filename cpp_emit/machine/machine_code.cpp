@@ -144,7 +144,7 @@ void MachineWriter::begin_exits_function() {
     for (const NodeId top : plan_.machine().top) {
         for (const NodeId leaf : plan_.leaves(top)) {
             const std::vector<NodeId> around = plan_.ancestors(leaf);
-            if (std::any_of(around.begin(), around.end(), composite_exit)) leaves.push_back(leaf);
+            if (std::ranges::any_of(around, composite_exit)) leaves.push_back(leaf);
         }
     }
     if (leaves.empty()) return;

@@ -75,7 +75,7 @@ bool MachineContext::runs_on_entry(NodeId id) const {
     const std::vector<NodeId> around = plan.ancestors(id);
     return node.during && !node.composite() && faultless_cycle(generation.options) &&
            !suspends(generation, unit, node.during) &&
-           std::none_of(around.begin(), around.end(), [&](NodeId outer) { return plan.node(outer).during != nullptr; });
+           std::ranges::none_of(around, [&](NodeId outer) { return plan.node(outer).during != nullptr; });
 }
 
 std::string MachineContext::signature(const std::string& name) const {

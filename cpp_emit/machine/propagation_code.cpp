@@ -11,14 +11,14 @@ namespace robochart::cpp_emit {
 template <class Test>
 bool PropagationCode::any_thread(const Test& test) const {
     return test(control_) ||
-           std::any_of(during_.begin(), during_.end(), [&](const DuringThread& during) { return test(during.thread); });
+           std::ranges::any_of(during_, [&](const DuringThread& during) { return test(during.thread); });
 }
 
 bool PropagationCode::prompt() const {
     return any_thread([&](const Thread& thread) {
-        return !thread.prompt_steps.empty() ||
-               std::any_of(thread.calls.begin(), thread.calls.end(),
-                           [&](const CallFrame& call) { return context_.done.at(call.operation).prompt; });
+        return !thread.prompt_steps.empty() || std::ranges::any_of(thread.calls, [&](const CallFrame& call) {
+            return context_.done.at(call.operation).prompt;
+        });
     });
 }
 
@@ -45,9 +45,9 @@ void PropagationCode::prompt_steps(const Thread& thread) {
 
 bool PropagationCode::holds() const {
     return any_thread([&](const Thread& thread) {
-        return !thread.holding.empty() ||
-               std::any_of(thread.calls.begin(), thread.calls.end(),
-                           [&](const CallFrame& call) { return context_.done.at(call.operation).holds; });
+        return !thread.holding.empty() || std::ranges::any_of(thread.calls, [&](const CallFrame& call) {
+            return context_.done.at(call.operation).holds;
+        });
     });
 }
 

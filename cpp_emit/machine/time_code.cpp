@@ -19,12 +19,11 @@ bool TimeCode::timed() const {
     const auto& read = unit_.clock_read;
     const auto timed_calls = [&](const Thread& thread) {
         return thread.waits || !thread.deadlines.empty() || !thread.held_up.empty() ||
-               std::any_of(thread.calls.begin(), thread.calls.end(),
-                           [&](const CallFrame& call) { return context_.done.at(call.operation).timed; });
+               std::ranges::any_of(thread.calls,
+                                   [&](const CallFrame& call) { return context_.done.at(call.operation).timed; });
     };
-    return std::find(read.begin(), read.end(), true) != read.end() || !watches_.empty() || timed_calls(control_) ||
-           std::any_of(during_.begin(), during_.end(),
-                       [&](const DuringThread& during) { return timed_calls(during.thread); });
+    return std::ranges::find(read, true) != read.end() || !watches_.empty() || timed_calls(control_) ||
+           std::ranges::any_of(during_, [&](const DuringThread& during) { return timed_calls(during.thread); });
 }
 
 void TimeCode::advance_function() {

@@ -114,12 +114,12 @@ void TransitionCode::begin_transition(const ir::Transition& transition, ir::Tran
 void TransitionCode::depart(NodeId source, ir::TransitionId id) {
     for (const DuringThread& during : during_) {
         const std::vector<NodeId> around = plan_.chain(during.state);
-        const bool left = std::find(around.begin(), around.end(), source) != around.end();
+        const bool left = std::ranges::find(around, source) != around.end();
         if (left) out_.line(fmt::format("cut_{}(f);", during.suffix));
     }
     for (const Watch& watch : watches_) {
         const std::vector<NodeId> around = plan_.chain(watch.state);
-        const bool left = std::find(around.begin(), around.end(), source) != around.end();
+        const bool left = std::ranges::find(around, source) != around.end();
         if (left) out_.line(fmt::format("f.{} = 0;", watch.field));
     }
     const ir::Transition& transition = plan_.machine().transitions[id.index];

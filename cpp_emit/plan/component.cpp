@@ -32,8 +32,7 @@ const EventUse& Component::event(const Unit& of, ir::EventId id) const {
 
 const EventUse* Component::event(const Peer& end) const {
     const std::vector<EventUse>& uses = parts[end.part].events;
-    const auto found =
-        std::find_if(uses.begin(), uses.end(), [&](const EventUse& use) { return use.name == end.event; });
+    const auto found = std::ranges::find_if(uses, [&](const EventUse& use) { return use.name == end.event; });
     return found == uses.end() ? nullptr : &*found;
 }
 
@@ -44,17 +43,17 @@ const StoredVariable* Component::stored(const Unit& of, ir::VariableId id) const
 
 const PlatformCall& Component::call(const Unit& of, ir::OperationId id) const {
     const std::string& wanted = of.machine->operations[id.index].name;
-    return *std::find_if(calls.begin(), calls.end(),
-                         [&](const PlatformCall& candidate) { return candidate.signature->name == wanted; });
+    return *std::ranges::find_if(calls,
+                                 [&](const PlatformCall& candidate) { return candidate.signature->name == wanted; });
 }
 
 const ModelledCall& Component::modelled_call(ir::MachineId definition) const {
-    return *std::find_if(modelled.begin(), modelled.end(),
-                         [&](const ModelledCall& candidate) { return candidate.definition == definition; });
+    return *std::ranges::find_if(modelled,
+                                 [&](const ModelledCall& candidate) { return candidate.definition == definition; });
 }
 
 const CarrierUse& Component::carrier(ir::TypeId type) const {
-    return *std::find_if(carriers.begin(), carriers.end(), [&](const CarrierUse& use) { return use.type == type; });
+    return *std::ranges::find_if(carriers, [&](const CarrierUse& use) { return use.type == type; });
 }
 
 std::pair<const Unit*, ir::ClockId> Component::clock(const Unit& of, ir::ClockId id) const {

@@ -64,11 +64,9 @@ private:
         }
         const auto& declared = component_.root(part).machine->events;
         const auto place = [&](const EventUse& use) {
-            return std::find_if(declared.begin(), declared.end(),
-                                [&](const ir::Event& event) { return event.name == use.name; });
+            return std::ranges::find_if(declared, [&](const ir::Event& event) { return event.name == use.name; });
         };
-        std::stable_sort(uses.begin(), uses.end(),
-                         [&](const EventUse& a, const EventUse& b) { return place(a) < place(b); });
+        std::ranges::stable_sort(uses, [&](const EventUse& a, const EventUse& b) { return place(a) < place(b); });
     }
 
     void follow(std::size_t part, EventUse& use) {
@@ -83,7 +81,7 @@ private:
     }
 
     [[nodiscard]] std::size_t part_of(std::size_t controller, std::size_t machine) const {
-        const auto found = std::find_if(component_.parts.begin(), component_.parts.end(), [&](const Part& part) {
+        const auto found = std::ranges::find_if(component_.parts, [&](const Part& part) {
             return part.controller == controller && part.machine == machine;
         });
         return static_cast<std::size_t>(found - component_.parts.begin());
@@ -111,14 +109,12 @@ private:
     }
 
     static void add_peer(EventUse& use, Peer peer) {
-        if (std::find(use.peers.begin(), use.peers.end(), peer) == use.peers.end())
-            use.peers.push_back(std::move(peer));
+        if (std::ranges::find(use.peers, peer) == use.peers.end()) use.peers.push_back(std::move(peer));
     }
 
     void add_port(EventUse& use, const std::string& outside) {
         auto& ports = component_.events;
-        auto found =
-            std::find_if(ports.begin(), ports.end(), [&](const EventPort& port) { return port.outside == outside; });
+        auto found = std::ranges::find_if(ports, [&](const EventPort& port) { return port.outside == outside; });
         if (found == ports.end()) {
             EventPort port;
             port.outside = outside;
@@ -136,7 +132,7 @@ private:
     void add_buffer(EventUse& use, const ConnectionEnd& here, std::size_t connection) {
         auto& buffers = component_.buffers;
         const auto same = [&](const Buffer& buffer) { return buffer.connection == connection; };
-        auto found = std::find_if(buffers.begin(), buffers.end(), same);
+        auto found = std::ranges::find_if(buffers, same);
         if (found == buffers.end()) {
             const std::string& name = module_->connections[connection].from.event;
             found = buffers.insert(buffers.end(), {connection, name, use.type, ""});

@@ -86,13 +86,13 @@ private:
 
     void carrier(ir::TypeId id) {
         const auto same = [&](const CarrierUse& use) { return use.type == id; };
-        if (std::any_of(component_.carriers.begin(), component_.carriers.end(), same)) return;
+        if (std::ranges::any_of(component_.carriers, same)) return;
         component_.carriers.push_back({id, scope_.unique("any_" + system_.type(id).name)});
     }
 
     // Types may be recursive.
     void type(ir::TypeId id) {
-        if (std::find(seen_.begin(), seen_.end(), id) != seen_.end()) return;
+        if (std::ranges::find(seen_, id) != seen_.end()) return;
         seen_.push_back(id);
         const ir::Type& found = system_.type(id);
         component_.matrices = component_.matrices || block(found);

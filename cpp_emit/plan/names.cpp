@@ -31,7 +31,7 @@ constexpr std::array keywords = {
 };
 
 bool listed(std::span<const std::string_view> names, std::string_view name) {
-    return std::binary_search(names.begin(), names.end(), name);
+    return std::ranges::binary_search(names, name);
 }
 
 /// The macros of the headers that are delivered with generated code.
@@ -52,15 +52,14 @@ bool identifier_character(char c) {
 }  // namespace
 
 bool reserved_in_cpp(std::string_view name) {
-    return std::find(keywords.begin(), keywords.end(), name) != keywords.end() || listed(reserved_macros(), name) ||
-           of_runtime(name);
+    return std::ranges::find(keywords, name) != keywords.end() || listed(reserved_macros(), name) || of_runtime(name);
 }
 
 bool reserved_below_global_scope(std::string_view name) {
     // The namespace of the runtime, then names that the projects' own code declares and includes.
     static constexpr std::array outside = {"robochart", "rclcpp", "Body", "CVector2", "Eigen",
                                            "Enki",      "Eye",    "Puck", "argos",    "testing"};
-    return reserved_in_cpp(name) || std::find(outside.begin(), outside.end(), name) != outside.end();
+    return reserved_in_cpp(name) || std::ranges::find(outside, name) != outside.end();
 }
 
 bool reserved_at_global_scope(std::string_view name) {

@@ -23,7 +23,7 @@ using diagnostics::Diagnostics;
 /// The element with this name; null if there is none.
 template <class Item>
 const Item* find_named(const std::vector<Item>& items, const std::string& name) {
-    const auto found = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
+    const auto found = std::ranges::find_if(items, [&](const Item& item) { return item.name == name; });
     return found == items.end() ? nullptr : &*found;
 }
 
@@ -153,7 +153,7 @@ private:
         if (context().controller == nullptr) return {};
         const ir::Controller& controller = *context().controller;
         if (root) return controller.machines[component_.parts[part_].machine].name;
-        const auto found = std::find(controller.definitions.begin(), controller.definitions.end(), id);
+        const auto found = std::ranges::find(controller.definitions, id);
         return controller.definition_names[static_cast<std::size_t>(found - controller.definitions.begin())];
     }
 
@@ -180,7 +180,7 @@ private:
     /// progress.
     std::size_t add_unit(ir::MachineId id, bool root) {
         const ir::Machine& machine = system_.machine(id);
-        if (std::any_of(open_.begin(), open_.end(), [&](const Unit& unit) { return unit.id == id; })) {
+        if (std::ranges::any_of(open_, [&](const Unit& unit) { return unit.id == id; })) {
             diagnostics_.report(rules::recursion, machine.origin.span, {machine.name});
             return 0;
         }
@@ -196,8 +196,7 @@ private:
         unit.root = root;
         find_owners(unit);
         const auto& units = component_.units;
-        const auto known =
-            std::find_if(units.begin(), units.end(), [&](const Unit& each) { return alike(each, unit); });
+        const auto known = std::ranges::find_if(units, [&](const Unit& each) { return alike(each, unit); });
         if (known != units.end()) return known->number;
         component_.unit_places.push_back(units.size());  // set below
         unit.definitions.resize(machine.operations.size());
@@ -289,9 +288,8 @@ private:
     /// A declared or required clock, not the one for a sinceEntry.
     static const ir::Clock* find_clock(const ir::Machine& machine, const std::string& name) {
         const auto& clocks = machine.clocks;
-        const auto found = std::find_if(clocks.begin(), clocks.end(), [&](const ir::Clock& clock) {
-            return clock.name == name && !clock.entry_of.valid();
-        });
+        const auto found = std::ranges::find_if(
+            clocks, [&](const ir::Clock& clock) { return clock.name == name && !clock.entry_of.valid(); });
         return found == clocks.end() ? nullptr : &*found;
     }
 
@@ -357,7 +355,7 @@ private:
         const auto same = [&](const StoredVariable& other) {
             return other.shared && other.level == entry.level && other.variable->name == variable.name;
         };
-        auto known = entry.shared ? std::find_if(variables.begin(), variables.end(), same) : variables.end();
+        auto known = entry.shared ? std::ranges::find_if(variables, same) : variables.end();
         if (known != variables.end() && entry.external && written(variable.name)) {
             entry.copy = true;
             known = variables.end();
@@ -432,7 +430,7 @@ private:
         if (expr.kind != ir::ExprKind::call && expr.kind != ir::ExprKind::function_value) return;
         auto& functions = component_.functions;
         const auto same = [&](const FunctionHook& hook) { return hook.id == expr.function; };
-        auto found = std::find_if(functions.begin(), functions.end(), same);
+        auto found = std::ranges::find_if(functions, same);
         if (found == functions.end()) found = functions.insert(found, {expr.function, "", false, ""});
         if (found->guarded || !ir::precondition_can_fail(system_, inst_, constants, expr)) return;
         found->guarded = true;
@@ -450,7 +448,7 @@ private:
         const ir::OperationSignature& signature = unit.machine->operations[id.index];
         const ir::MachineId definition = unit.definitions[id.index];
         const auto add = [&](auto& calls, auto call, const auto& same) {
-            if (std::none_of(calls.begin(), calls.end(), same)) calls.push_back(std::move(call));
+            if (std::ranges::none_of(calls, same)) calls.push_back(std::move(call));
         };
         if (definition.valid()) {
             add(component_.modelled, ModelledCall{&signature, definition, {}},
@@ -483,15 +481,14 @@ private:
     /// Types of parts come before the types that contain them. Recursive types are rejected later (unsupported.cpp).
     void add_type(ir::TypeId id) {
         auto& types = component_.enumerations;
-        if (std::find(seen_types_.begin(), seen_types_.end(), id) != seen_types_.end()) return;
+        if (std::ranges::find(seen_types_, id) != seen_types_.end()) return;
         seen_types_.push_back(id);
         const ir::Type& type = system_.type(id);
         for (const ir::TypeId part : type.args) add_type(part);
         for (const auto& arguments : type.literal_args)
             for (const ir::TypeId part : arguments) add_type(part);
         const auto same = [&](ir::TypeId other) { return declared_name(system_.type(other)) == declared_name(type); };
-        if (declared(type) && supported(system_, id) && std::none_of(types.begin(), types.end(), same))
-            types.push_back(id);
+        if (declared(type) && supported(system_, id) && std::ranges::none_of(types, same)) types.push_back(id);
     }
 
     void name_everything() {
@@ -568,8 +565,7 @@ private:
     }
 
     static bool has_during(const Unit& unit) {
-        return std::any_of(unit.machine->nodes.begin(), unit.machine->nodes.end(),
-                           [](const ir::Node& node) { return node.during != nullptr; });
+        return std::ranges::any_of(unit.machine->nodes, [](const ir::Node& node) { return node.during != nullptr; });
     }
 
     /// Whether a program of the part communicates with a deadline and may have to wait.
@@ -591,8 +587,8 @@ private:
     /// Another machine's copy of a variable whose writes the environment propagates.
     void name_copy(StoredVariable& entry, NameScope& state, NameScope& writers) {
         const std::string& name = entry.variable->name;
-        const auto first = std::find_if(component_.variables.begin(), component_.variables.end(),
-                                        [&](const StoredVariable& other) { return propagated(other, name); });
+        const auto first = std::ranges::find_if(component_.variables,
+                                                [&](const StoredVariable& other) { return propagated(other, name); });
         if (entry.stored()) entry.field = entry.path = state.unique(name);
         entry.input = first->input;
         entry.output = first->output;
@@ -603,8 +599,8 @@ private:
         return entry.external && entry.variable->name == name;
     }
     [[nodiscard]] bool some_copy_read(const std::string& name) const {
-        return std::any_of(component_.variables.begin(), component_.variables.end(),
-                           [&](const StoredVariable& entry) { return propagated(entry, name) && entry.read; });
+        return std::ranges::any_of(component_.variables,
+                                   [&](const StoredVariable& entry) { return propagated(entry, name) && entry.read; });
     }
 
     void name_channels() {

@@ -18,8 +18,8 @@ bool numeric(TypeKind kind) {
 
 bool is_struct(const ir::Type& type) {
     if (type.kind == TypeKind::record || type.kind == TypeKind::product) return true;
-    return type.kind == TypeKind::enumeration && std::any_of(type.literal_args.begin(), type.literal_args.end(),
-                                                             [](const auto& args) { return !args.empty(); });
+    return type.kind == TypeKind::enumeration &&
+           std::ranges::any_of(type.literal_args, [](const auto& args) { return !args.empty(); });
 }
 
 bool declared(const ir::Type& type) {
@@ -68,8 +68,8 @@ bool supported_below(const ir::System& system, ir::TypeId id, std::size_t depth)
     if (depth > deepest_type) return false;
     const auto parts = [&] {
         const std::vector<TypeMember> all = members(type);
-        return std::all_of(all.begin(), all.end(),
-                           [&](const TypeMember& member) { return supported_below(system, member.type, depth + 1); });
+        return std::ranges::all_of(
+            all, [&](const TypeMember& member) { return supported_below(system, member.type, depth + 1); });
     };
     switch (type.kind) {
         case TypeKind::enumeration:

@@ -137,8 +137,7 @@ private:
                 visit(condition, [&](const ir::Expr& expr) {
                     if (!ir::precondition_can_fail(system_, inst_, {}, expr) || !expr.function.valid()) return;
                     back = back || expr.function == function;
-                    if (std::find(reached.begin(), reached.end(), expr.function) == reached.end())
-                        reached.push_back(expr.function);
+                    if (std::ranges::find(reached, expr.function) == reached.end()) reached.push_back(expr.function);
                 });
             if (back) return true;
         }

@@ -71,8 +71,8 @@ bool scalars_of(const ir::System& system, const ModelValue& value, std::vector<S
 FoundScalar find_scalar(const ir::System& system, const std::vector<ModelValue>& values, const Path& path) {
     FoundScalar found;
     for (const ModelValue& value : values) found.known.push_back(value.name);
-    const auto root = std::find_if(values.begin(), values.end(),
-                                   [&](const ModelValue& value) { return value.name == path.words.front().text; });
+    const auto root =
+        std::ranges::find_if(values, [&](const ModelValue& value) { return value.name == path.words.front().text; });
     if (root == values.end()) return found;
     ModelValue at = *root;
     for (found.missing = 1; found.missing < path.words.size(); ++found.missing) {
@@ -81,7 +81,7 @@ FoundScalar find_scalar(const ir::System& system, const std::vector<ModelValue>&
         found.known.clear();
         if (type.kind != TypeKind::record) return found;
         found.known = type.labels;
-        const auto label = std::find(type.labels.begin(), type.labels.end(), path.words[found.missing].text);
+        const auto label = std::ranges::find(type.labels, path.words[found.missing].text);
         if (label == type.labels.end()) return found;
         const TypeMember member = members(type)[static_cast<std::size_t>(label - type.labels.begin())];
         at = {at.name + "." + *label, at.place + "." + member.name, member.type};

@@ -35,7 +35,7 @@ std::string name_in(const Surroundings& around, const Unit& unit, const Part& pa
     if (around.controller == nullptr) return "";
     const ir::Controller& controller = *around.controller;
     if (unit.root) return controller.machines[part.machine].name;
-    const auto found = std::find(controller.definitions.begin(), controller.definitions.end(), unit.id);
+    const auto found = std::ranges::find(controller.definitions, unit.id);
     return controller.definition_names[static_cast<std::size_t>(found - controller.definitions.begin())];
 }
 

@@ -171,7 +171,7 @@ private:
             return i;
         }
         std::string stem = wanted.name;
-        std::replace(stem.begin(), stem.end(), '/', '_');
+        std::ranges::replace(stem, '/', '_');
         wanted.member = members_.unique((wanted.published ? "to_" : "from_") + identifier(stem));
         plan_.topics.push_back(std::move(wanted));
         return plan_.topics.size() - 1;
@@ -315,8 +315,8 @@ private:
     }
 
     static bool names_value(const std::vector<ModelValue>& values, const Path& path) {
-        return std::any_of(values.begin(), values.end(),
-                           [&](const ModelValue& value) { return value.name == path.words.front().text; });
+        return std::ranges::any_of(values,
+                                   [&](const ModelValue& value) { return value.name == path.words.front().text; });
     }
 
     void warn_unsent(const Element& element, const ModelValue& value, const std::set<std::string>& used) {
@@ -481,8 +481,8 @@ private:
 }  // namespace
 
 bool NodePlan::stamped() const {
-    return std::any_of(outgoing.begin(), outgoing.end(), [](const Outgoing& out) {
-        return std::any_of(out.fields.begin(), out.fields.end(), [](const Filled& field) { return field.now; });
+    return std::ranges::any_of(outgoing, [](const Outgoing& out) {
+        return std::ranges::any_of(out.fields, [](const Filled& field) { return field.now; });
     });
 }
 

@@ -35,7 +35,7 @@ std::string wrong_small_name(std::string_view name) {
 bool of_ros(std::string_view topic) {
     static constexpr std::array names = {"rosout", "parameter_events", "clock", "~/transition_event"};
     if (topic.starts_with('/')) topic.remove_prefix(1);
-    return std::find(names.begin(), names.end(), topic) != names.end();
+    return std::ranges::find(names, topic) != names.end();
 }
 
 constexpr std::size_t longest_name = 200;  // RMW: 247 for the whole topic, including the namespace

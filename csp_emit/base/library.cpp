@@ -143,9 +143,8 @@ std::string tuple_parts() {
 }
 
 bool blocks_name(const ir::System& system, std::initializer_list<const char*> names) {
-    return std::any_of(system.csp_blocks.begin(), system.csp_blocks.end(), [&](const ir::CspBlock& block) {
-        return std::any_of(names.begin(), names.end(),
-                           [&](const char* name) { return block.text.find(name) != std::string::npos; });
+    return std::ranges::any_of(system.csp_blocks, [&](const ir::CspBlock& block) {
+        return std::ranges::any_of(names, [&](const char* name) { return block.text.find(name) != std::string::npos; });
     });
 }
 
@@ -161,10 +160,11 @@ std::string further_text(const ir::System& system, Time time) {
 }
 
 bool uses_tick_tock(const ir::System& system) {
-    return std::any_of(system.properties.begin(), system.properties.end(),
-                       [](const auto& property) { return property.model == ir::PropertyModel::tick_tock; }) ||
-           std::any_of(system.csp_blocks.begin(), system.csp_blocks.end(),
-                       [](const auto& block) { return block.text.find("model_shifting") != std::string::npos; });
+    return std::ranges::any_of(system.properties,
+                               [](const auto& property) { return property.model == ir::PropertyModel::tick_tock; }) ||
+           std::ranges::any_of(system.csp_blocks, [](const auto& block) {
+               return block.text.find("model_shifting") != std::string::npos;
+           });
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ constexpr std::array only_at_top{"inter",  "diff", "Union",  "Inter", "set",  "s
                                  "concat", "elem", "length", "null",  "show", "extensions", "Map",  "productions"};
 
 bool relied_on(const std::string& name) {
-    return ends_as_ours(name) || std::find(reserved_names.begin(), reserved_names.end(), name) != reserved_names.end();
+    return ends_as_ours(name) || std::ranges::find(reserved_names, name) != reserved_names.end();
 }
 
 }  // namespace
@@ -197,7 +197,7 @@ std::string module_name(const ir::Machine& machine) {
 bool is_identifier(const std::string& name) {
     const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     const auto part = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
-    return !name.empty() && letter(name.front()) && std::all_of(name.begin(), name.end(), part);
+    return !name.empty() && letter(name.front()) && std::ranges::all_of(name, part);
 }
 
 bool is_reserved(const std::string& name) {
@@ -209,7 +209,7 @@ bool is_reserved_inside(const std::string& name) {
     const cspm::BuiltinName* builtin = cspm::find_builtin(name);
     if (builtin != nullptr && builtin->arguments < 0)
         return true;  // a value: only its name distinguishes it from an event
-    return relied_on(name) && std::find(only_at_top.begin(), only_at_top.end(), name) == only_at_top.end();
+    return relied_on(name) && std::ranges::find(only_at_top, name) == only_at_top.end();
 }
 
 bool is_predefined(const std::string& name) {

@@ -30,8 +30,8 @@ std::size_t times_in(const std::string& text, const std::string& name) {
 }  // namespace
 
 bool Project::instantiations_replaced() const {
-    return std::any_of(system.csp_blocks.begin(), system.csp_blocks.end(),
-                       [&](const ir::CspBlock& block) { return replaces_instantiations(block); });
+    return std::ranges::any_of(system.csp_blocks,
+                               [&](const ir::CspBlock& block) { return replaces_instantiations(block); });
 }
 
 std::size_t Project::occurrences(const std::string& name) const {
@@ -47,14 +47,14 @@ bool Project::mentions(const std::string& name) const {
 
 bool Project::speaks_of(const std::string& path) const {
     const auto names = [&](const ir::ComponentRef& ref) { return qualified(ref.package, ref.path) == path; };
-    return mentions(path) || std::any_of(system.properties.begin(), system.properties.end(), [&](const auto& property) {
+    return mentions(path) || std::ranges::any_of(system.properties, [&](const auto& property) {
                return names(property.subject) || names(property.other);
            });
 }
 
 void Project::refuse(const std::string& construct, diagnostics::Span span) const {
     const auto known = diagnostics.sorted();  // a statement may be written at several points, but is reported once
-    const bool again = std::any_of(known.begin(), known.end(), [&](const diagnostics::Diagnostic& finding) {
+    const bool again = std::ranges::any_of(known, [&](const diagnostics::Diagnostic& finding) {
         return finding.rule == &rules::unsupported && finding.span.source == span.source &&
                finding.span.begin == span.begin && finding.arguments.at(0) == construct;
     });

@@ -57,7 +57,7 @@ private:
 
 bool Definer::has_variable(std::size_t part, const std::string& name) const {
     const auto& names = c_.parts[part].variables;
-    return std::find(names.begin(), names.end(), name) != names.end();
+    return std::ranges::find(names, name) != names.end();
 }
 
 /// Timed semantics: `branches [] tock -> self`, so that a waiting process lets time pass.
@@ -303,8 +303,7 @@ void Definer::define() {
 }  // namespace
 
 bool large(const Composition& composition) {
-    return std::any_of(composition.parts.begin(), composition.parts.end(),
-                       [](const Part& part) { return part.emission.large; });
+    return std::ranges::any_of(composition.parts, [](const Part& part) { return part.emission.large; });
 }
 
 void connect(Composition& composition, std::optional<std::size_t> from, const std::string& from_event,

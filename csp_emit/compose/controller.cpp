@@ -99,8 +99,8 @@ std::string ControllerEmitter::constant_argument(const std::string& part, const 
     const ir::Machine& owner = *constant.owner;
     const auto source =
         ir::constant_source(project().system, nullptr, &controller(), part_of(part, owner), owner, constant.id);
-    const auto known = std::any_of(composition_.constants.begin(), composition_.constants.end(),
-                                   [&](const ConstantParameter& c) { return c.parameter == source.name; });
+    const auto known = std::ranges::any_of(composition_.constants,
+                                           [&](const ConstantParameter& c) { return c.parameter == source.name; });
     if (!known) {
         ConstantParameter added = constant;
         added.parameter = source.name;
@@ -154,8 +154,9 @@ void ControllerEmitter::add_part(const ir::MachineInstance& instance, std::vecto
     for (const ir::Variable& variable : machine.variables)
         if (variable.scope == VariableScope::required) part.variables.push_back(variable.name);
     const auto defined = [&](const ir::OperationSignature& operation) {
-        return std::any_of(controller().definitions.begin(), controller().definitions.end(),
-                           [&](ir::MachineId id) { return project().system.machine(id).name == operation.name; });
+        return std::ranges::any_of(controller().definitions, [&](ir::MachineId id) {
+            return project().system.machine(id).name == operation.name;
+        });
     };
     for (const ir::OperationSignature& operation : machine.operations)
         if (!defined(operation)) part.calls.push_back(operation.name);
@@ -218,8 +219,7 @@ std::vector<ir::OperationSignature> leaving_calls(const ir::System& system, cons
     const auto add = [&](const ir::OperationSignature& operation) {
         const auto same = [&](const auto& other) { return other.name == operation.name; };
         const auto defines = [&](ir::MachineId id) { return system.machine(id).name == operation.name; };
-        if (std::none_of(result.begin(), result.end(), same) &&
-            std::none_of(controller.definitions.begin(), controller.definitions.end(), defines))
+        if (std::ranges::none_of(result, same) && std::ranges::none_of(controller.definitions, defines))
             result.push_back(operation);
     };
     for (const ir::MachineInstance& instance : controller.machines)

@@ -49,7 +49,7 @@ std::vector<ir::OperationSignature> ModuleEmitter::calls() const {
     for (const ir::ControllerInstance& instance : module().controllers)
         for (const auto& call : leaving_calls(project().system, project().system.controller(instance.controller))) {
             const auto same = [&](const auto& other) { return other.name == call.name; };
-            if (std::none_of(result.begin(), result.end(), same)) result.push_back(call);
+            if (std::ranges::none_of(result, same)) result.push_back(call);
         }
     return result;
 }
@@ -105,10 +105,10 @@ std::string ModuleEmitter::constant_argument(const ir::Controller& controller, c
     std::string name = constant.parameter;
     const bool own = constant.owner == nullptr && controller.constants.at(constant.id.index).required;
     const auto provided = [&](const ir::Constant& c) { return c.name == constant.constant; };
-    if (own && std::any_of(platform().constants.begin(), platform().constants.end(), provided))
+    if (own && std::ranges::any_of(platform().constants, provided))
         name = ir::constant_name(module().package, module().name, constant.constant);
     const auto same = [&](const ConstantParameter& c) { return c.parameter == name; };
-    if (std::none_of(composition_.constants.begin(), composition_.constants.end(), same)) {
+    if (std::ranges::none_of(composition_.constants, same)) {
         composition_.constants.push_back(constant);
         composition_.constants.back().parameter = name;
     }
@@ -144,8 +144,8 @@ void ModuleEmitter::add_connection(const ir::Connection& connection) {
         return;
     }
     const auto& writer = project().system.controller(module().controllers.at(*from).controller);
-    const auto event = std::find_if(writer.events.begin(), writer.events.end(),
-                                    [&](const ir::Event& e) { return e.name == connection.from.event; });
+    const auto event =
+        std::ranges::find_if(writer.events, [&](const ir::Event& e) { return e.name == connection.from.event; });
     Buffer buffer{*from, *to, connection.from.event, connection.to.event, {}};
     if (event != writer.events.end() && event->type) buffer.type = *event->type;
     const auto keep = [&](std::size_t part, const std::string& name) {

@@ -99,7 +99,7 @@ ExprPtr Translator::clipped(ExprKind kind, b::Exprs operands, ir::TypeId type) c
 ExprPtr Translator::arithmetic(const ir::Expr& expr) const {
     const ir::Type* result = type(expr.type);
     const auto block = [&](const auto& part) { return is_block(part->type); };
-    if (std::any_of(expr.args.begin(), expr.args.end(), block)) return block_arithmetic(expr);
+    if (std::ranges::any_of(expr.args, block)) return block_arithmetic(expr);
     if (result == nullptr || !numeric(*result)) return refused("arithmetic on a type that is not a number", expr);
     b::Exprs operands;
     for (const auto& part : expr.args) operands.push_back(as_type(*part, expr.type));
@@ -180,7 +180,7 @@ bool Translator::is_open(ir::TypeId id) const {
     const ir::Type* found = type(id);
     if (found == nullptr || found->kind == TypeKind::unit) return true;
     return found->kind != TypeKind::record &&
-           std::any_of(found->args.begin(), found->args.end(), [&](ir::TypeId arg) { return is_open(arg); });
+           std::ranges::any_of(found->args, [&](ir::TypeId arg) { return is_open(arg); });
 }
 
 ExprPtr Translator::toolkit(const ir::Expr& expr) const {

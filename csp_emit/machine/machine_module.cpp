@@ -87,7 +87,7 @@ std::map<std::string, ExprPtr> placeholder_values(MachineTables& tables) {
 /// The initial process has values for everything except constants and an operation's parameters.
 void check_initial(const std::vector<std::string>& needed, const std::vector<std::string>& known) {
     for (const std::string& name : needed)
-        if (std::find(known.begin(), known.end(), name) == known.end())
+        if (std::ranges::find(known, name) == known.end())
             throw std::logic_error("csp_emit: parameter " + name + " has no value");
 }
 
@@ -116,7 +116,7 @@ std::vector<cspm::DeclPtr> definitions(MachineTables& tables, std::vector<Functi
         const Function& function = functions[i];
         DefinitionMeaning meaning = meanings.of(point, function);
         for (const Remembered& variable : remembered)
-            if (std::find(needed[i].begin(), needed[i].end(), variable.parameter) != needed[i].end())
+            if (std::ranges::find(needed[i], variable.parameter) != needed[i].end())
                 meaning.remembered.push_back(variable.meaning);
         result.push_back(
             b::function_decl(function.name, b::variables(function.parameters), function.body, meaning.text));

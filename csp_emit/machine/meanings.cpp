@@ -54,8 +54,8 @@ void DefinitionMeanings::add_parameters(const Function& function, DefinitionMean
     for (const std::string& parameter : function.parameters) {
         const std::optional<CellId> id = tables_.cells.named(parameter);
         const Cell* cell = id ? &tables_.cells[*id] : nullptr;
-        const auto constant = std::find_if(constants.begin(), constants.end(),
-                                           [&](const ConstantParameter& c) { return c.inside == parameter; });
+        const auto constant =
+            std::ranges::find_if(constants, [&](const ConstantParameter& c) { return c.inside == parameter; });
         const bool known = cell == nullptr && constant != constants.end();
         const bool watching = id && tables_.watch.cell() == id;
         meaning.parameters.push_back(cell != nullptr ? cell->meaning : known ? constant->constant : "");
@@ -87,7 +87,7 @@ std::vector<ir::Origin> DefinitionMeanings::active_states(const View& now) const
             for (ir::NodeId at = node; at.valid(); at = nodes[at.index].parent) ++levels;
             return levels;
         };
-        std::sort(around.begin(), around.end(), [&](ir::NodeId one, ir::NodeId other) {
+        std::ranges::sort(around, [&](ir::NodeId one, ir::NodeId other) {
             return std::pair(depth(one), one.index) < std::pair(depth(other), other.index);
         });
         around.erase(std::unique(around.begin(), around.end()), around.end());

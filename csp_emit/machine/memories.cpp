@@ -59,8 +59,8 @@ std::vector<CellId> by_size(const MachineTables& tables) {
     std::vector<CellId> result;
     for (const CellId cell : tables.frames.root().variables)
         if (!cells[cell].parameter) result.push_back(cell);
-    std::stable_sort(result.begin(), result.end(),
-                     [&](CellId a, CellId c) { return values_of(tables, cells[a]) > values_of(tables, cells[c]); });
+    std::ranges::stable_sort(
+        result, [&](CellId a, CellId c) { return values_of(tables, cells[a]) > values_of(tables, cells[c]); });
     return result;
 }
 
@@ -68,7 +68,7 @@ Remembered memory_of(MachineTables& tables, CellId id) {
     const Cell& cell = tables.cells[id];
     const ir::Machine& machine = tables.machine();
     const auto& variables = tables.frames.root().variables;
-    const auto number = static_cast<std::size_t>(std::find(variables.begin(), variables.end(), id) - variables.begin());
+    const auto number = static_cast<std::size_t>(std::ranges::find(variables, id) - variables.begin());
     Remembered result;
     result.parameter = cell.name;
     result.meaning = cell.meaning;

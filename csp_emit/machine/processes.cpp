@@ -219,8 +219,8 @@ std::vector<ExprPtr> Processes::reading_branches(const Activation& config, const
         if (const auto branch = head_branch(tables_, running, false)) result.push_back(of(*branch));
     add(external_writes(tables_, config, now), result);
     const bool alone = now.threads.size() == 1;
-    if (std::none_of(now.threads.begin(), now.threads.end(),
-                     [&](const RunningThread& running) { return stops_time(tables_, running, alone); }))
+    if (std::ranges::none_of(now.threads,
+                             [&](const RunningThread& running) { return stops_time(tables_, running, alone); }))
         result.push_back(of(tock(tables_, config, now)));
     return result;
 }

@@ -82,8 +82,8 @@ private:
     }
 
     ExprPtr set(const ExprPtr& events) {
-        const auto same = std::find_if(known_.begin(), known_.end(),
-                                       [&](const NamedSet& each) { return cspm::equal(each.events, events); });
+        const auto same =
+            std::ranges::find_if(known_, [&](const NamedSet& each) { return cspm::equal(each.events, events); });
         if (same != known_.end()) return b::name(same->name);
         known_.push_back({names_.unique("alike__"), events});
         return b::name(known_.back().name);

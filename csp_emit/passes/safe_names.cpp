@@ -103,10 +103,9 @@ struct NewNames {
     [[nodiscard]] bool empty() const {
         const auto kept = [](const std::string& name) { return name.empty(); };
         const auto all_kept = [](const auto& names) { return names.empty(); };
-        return std::all_of(labels.begin(), labels.end(), all_kept) && all.empty() && states.empty() &&
-               operations.empty() && std::all_of(types.begin(), types.end(), kept) &&
-               std::all_of(functions.begin(), functions.end(), kept) &&
-               std::all_of(machines.begin(), machines.end(), kept);
+        return std::ranges::all_of(labels, all_kept) && all.empty() && states.empty() && operations.empty() &&
+               std::ranges::all_of(types, kept) && std::ranges::all_of(functions, kept) &&
+               std::ranges::all_of(machines, kept);
     }
 };
 
@@ -216,7 +215,7 @@ private:
         const auto another = [&](const std::string& name) {
             return data_.contains(name) || modules_and_channels_.contains(name) || constants_.contains(name);
         };
-        return std::any_of(names.begin(), names.end(), another) ? &rules::name_of_another : nullptr;
+        return std::ranges::any_of(names, another) ? &rules::name_of_another : nullptr;
     }
 
     template <class Data>
@@ -257,8 +256,8 @@ private:
     template <class Data>
     [[nodiscard]] bool taken_by_another(const Data& renamed, const Data& data) const {
         const auto names = names_of(renamed), own = names_of(data);
-        return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-            return taken_.contains(name) && std::find(own.begin(), own.end(), name) == own.end();
+        return std::ranges::any_of(names, [&](const std::string& name) {
+            return taken_.contains(name) && std::ranges::find(own, name) == own.end();
         });
     }
 
@@ -288,8 +287,8 @@ private:
 
     /// The text before the number; identifiers of CSPM begin with a letter.
     static std::string stem(const std::string& name) {
-        const auto letter = std::find_if(name.begin(), name.end(),
-                                         [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
+        const auto letter =
+            std::ranges::find_if(name, [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
         return letter == name.end() ? "name" : std::string(letter, name.end());
     }
 

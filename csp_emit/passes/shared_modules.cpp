@@ -95,10 +95,8 @@ private:
         collect(decls_, {}, {}, groups, by_hash);
         std::erase_if(groups,
                       [](const Group& group) { return group.places.size() < 2 || group.size <= worth_sharing; });
-        std::stable_sort(groups.begin(), groups.end(),
-                         [](const Group& a, const Group& b) { return a.saved() > b.saved(); });
-        const auto best =
-            std::find_if(groups.begin(), groups.end(), [](const Group& group) { return movable(group.places); });
+        std::ranges::stable_sort(groups, [](const Group& a, const Group& b) { return a.saved() > b.saved(); });
+        const auto best = std::ranges::find_if(groups, [](const Group& group) { return movable(group.places); });
         if (best == groups.end()) return false;
         share(best->places);
         return true;

@@ -133,7 +133,7 @@ private:
         const Port* const call = port(word, "Call", "operation");
         if (call == nullptr) return "";
         const std::string channel = fmt::format("operation_{}", operations_.size() + 1);
-        const bool turns = std::any_of(swarm_.drives.begin(), swarm_.drives.end(), [&](const SwarmDrive& each) {
+        const bool turns = std::ranges::any_of(swarm_.drives, [&](const SwarmDrive& each) {
             return each.motion == SwarmMotion::turn && each.operation.text == word.text;
         });
         channels_ += fmt::format("channel {} : Robots{}\n", channel, turns ? ".Headings" : "");
@@ -296,7 +296,7 @@ private:
     [[nodiscard]] std::string own_number(ir::TypeId type) const {
         const auto has_all = [&](const std::vector<std::int64_t>& carrier, std::int64_t scale) {
             for (std::int64_t robot = 0; robot < swarm_.robots; ++robot)
-                if (!std::binary_search(carrier.begin(), carrier.end(), robot * scale)) return false;
+                if (!std::ranges::binary_search(carrier, robot * scale)) return false;
             return true;
         };
         const ir::TypeKind kind = system_.type(type).kind;
@@ -445,8 +445,8 @@ private:
     }
 
     [[nodiscard]] bool away() const {
-        return std::any_of(observations_.begin(), observations_.end(),
-                           [](const Observation& each) { return each.asks(SwarmCondition::Kind::away); });
+        return std::ranges::any_of(observations_,
+                                   [](const Observation& each) { return each.asks(SwarmCondition::Kind::away); });
     }
 
     [[nodiscard]] std::vector<std::string> driving_channels() const {
@@ -609,9 +609,7 @@ private:
 
     [[nodiscard]] std::string processes() const {
         std::vector<std::string> hidden = own_;
-        std::erase_if(hidden, [&](const std::string& each) {
-            return std::find(lazy_.begin(), lazy_.end(), each) != lazy_.end();
-        });
+        std::erase_if(hidden, [&](const std::string& each) { return std::ranges::find(lazy_, each) != lazy_.end(); });
         for (const Sensed& each : messages_) hidden.push_back(each.channel);
         std::vector<std::string> moves;
         if (swarm_.grid) moves = {"go", "stay"};
@@ -776,9 +774,9 @@ void make_swarm(Emission& emission, const Swarm& swarm, Time time, const ir::Sys
         return script.decls;
     };
     (void)read("the swarm's CSP", module);
-    const bool premise = time == Time::timed && std::any_of(swarm.claims.begin(), swarm.claims.end(), premised);
-    const bool waits = std::any_of(swarm.feeds.begin(), swarm.feeds.end(),
-                                   [](const SwarmFeed& each) { return each.reading == SwarmReading::any; });
+    const bool premise = time == Time::timed && std::ranges::any_of(swarm.claims, premised);
+    const bool waits =
+        std::ranges::any_of(swarm.feeds, [](const SwarmFeed& each) { return each.reading == SwarmReading::any; });
     std::shared_ptr<const Premise> passing;
     if (premise)
         passing = time_can_pass(waits ? read("the swarm's time",

@@ -21,14 +21,13 @@ void Observation::collect(const SwarmCondition& condition) {
 }
 
 std::size_t Observation::place(const SwarmCondition& condition) const {
-    const auto found = std::find_if(atoms_.begin(), atoms_.end(), [&](const Atom& each) {
-        return each.kind == condition.kind && each.distance == condition.distance;
-    });
+    const auto found = std::ranges::find_if(
+        atoms_, [&](const Atom& each) { return each.kind == condition.kind && each.distance == condition.distance; });
     return static_cast<std::size_t>(found - atoms_.begin());
 }
 
 bool Observation::asks(Kind kind) const {
-    return std::any_of(atoms_.begin(), atoms_.end(), [&](const Atom& each) { return each.kind == kind; });
+    return std::ranges::any_of(atoms_, [&](const Atom& each) { return each.kind == kind; });
 }
 
 bool Observation::asks_pairs() const {

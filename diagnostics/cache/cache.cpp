@@ -131,7 +131,7 @@ void Cache::trim(const std::string& folder) const {
         entries.push_back(entry);
     }
     if (bytes <= share_) return;
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.used < b.used; });
+    std::ranges::sort(entries, [](const Entry& a, const Entry& b) { return a.used < b.used; });
     for (const Entry& entry : entries) {
         if (bytes <= share_ / 4 * 3) break;
         fs::remove(entry.path, code);

@@ -54,7 +54,7 @@ Faults faults_of(const TextReading& reading, const IsSyntax& is_syntax) {
 }
 
 bool includes(const std::multiset<Said>& all, const std::multiset<Said>& some) {
-    return std::includes(all.begin(), all.end(), some.begin(), some.end());
+    return std::ranges::includes(all, some);
 }
 
 /// A fix in a file, with the finding that it belongs to.

@@ -44,8 +44,7 @@ public:
 
 private:
     [[nodiscard]] bool has(Look look) const {
-        return std::any_of(picture_.boxes.begin(), picture_.boxes.end(),
-                           [&](const PictureBox& box) { return box.look == look; });
+        return std::ranges::any_of(picture_.boxes, [&](const PictureBox& box) { return box.look == look; });
     }
 
     void loss(bool present, std::string_view what) {

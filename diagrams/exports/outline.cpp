@@ -26,8 +26,7 @@ Outline::Outline(const Picture& picture)
         const PictureBox& from = picture.boxes[picture.lines[l].from];
         lines_[at(from.event_of == none ? from.parent : none)].push_back(l);
     }
-    machine_ = std::any_of(picture.boxes.begin(), picture.boxes.end(),
-                           [](const PictureBox& box) { return is_round(box.look); });
+    machine_ = std::ranges::any_of(picture.boxes, [](const PictureBox& box) { return is_round(box.look); });
 }
 
 std::string Outline::id(std::size_t box) const {
@@ -57,9 +56,8 @@ std::vector<std::string> Outline::rows(std::size_t box) const {
     std::istringstream whole(it.whole);
     for (std::string line; std::getline(whole, line);) {
         const auto front = line.substr(0, std::min<std::size_t>(line.size(), 20));
-        const auto shortened = std::find_if(rows.begin(), rows.end(), [&](const std::string& row) {
-            return row.starts_with(front) && row.ends_with("\xE2\x80\xA6");
-        });
+        const auto shortened = std::ranges::find_if(
+            rows, [&](const std::string& row) { return row.starts_with(front) && row.ends_with("\xE2\x80\xA6"); });
         if (shortened != rows.end()) *shortened = line;
     }
     return rows;

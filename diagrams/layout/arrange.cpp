@@ -131,8 +131,7 @@ bool same_layers(const Level& level, const Graph& one, const Graph& other) {
 /// previous order.
 Layered best_layered(const Level& level, bool turned, diagnostics::Budget* budget) {
     Layered found = layered(level, turned, Cycles::text, budget);
-    const bool edited =
-        std::any_of(level.boxes.begin(), level.boxes.end(), [](const Box& box) { return box.previous.has_value(); });
+    const bool edited = std::ranges::any_of(level.boxes, [](const Box& box) { return box.previous.has_value(); });
     const bool good = edited ? found.ordered.as_before : found.ordered.crossings == 0;
     if (good || found.graph.nodes.size() > most_nodes_twice) return found;
     Layered other = layered(level, turned, edited ? Cycles::kept : Cycles::few, budget);
@@ -245,8 +244,7 @@ Placement arrange_in(const Level& level, const std::vector<Part>& parts, bool tu
     whole.edges.resize(level.edges.size());
     Rows rows(whole, row_width(placed));
     const auto pinned = [&](const Part& part) {
-        return std::any_of(part.level.boxes.begin(), part.level.boxes.end(),
-                           [](const Box& box) { return box.on_border; });
+        return std::ranges::any_of(part.level.boxes, [](const Box& box) { return box.on_border; });
     };
     for (std::size_t i = 0; i < parts.size(); ++i)
         if (pinned(parts[i])) rows.add_pinned(parts[i], i, std::move(placed[i]));
@@ -262,16 +260,14 @@ double extent(const Size& size) {
 
 /// A loop is drawn at the right side of its box, where edges that lead to the right begin.
 bool has_loops(const Level& level) {
-    return std::any_of(level.edges.begin(), level.edges.end(),
-                       [](const Edge& edge) { return edge.from == edge.to && !edge.from_port; });
+    return std::ranges::any_of(level.edges, [](const Edge& edge) { return edge.from == edge.to && !edge.from_port; });
 }
 
 }  // namespace
 
 Placement arrange(const Level& level, diagnostics::Budget* budget) {
     const std::vector<Part> parts = parts_of(level);
-    const bool ports =
-        std::any_of(level.boxes.begin(), level.boxes.end(), [](const Box& box) { return !box.ports.empty(); });
+    const bool ports = std::ranges::any_of(level.boxes, [](const Box& box) { return !box.ports.empty(); });
     if (ports) return arrange_in(level, parts, true, budget);
     if (level.direction == Direction::down || has_loops(level)) return arrange_in(level, parts, false, budget);
     if (level.direction == Direction::right) return arrange_in(level, parts, true, budget);

@@ -60,7 +60,7 @@ std::vector<Rectangle> label_places(const std::vector<Point>& line, const Size& 
     std::vector<std::size_t> pieces;
     for (std::size_t i = 1; i < line.size(); ++i) pieces.push_back(i);
     const auto length = [&](std::size_t i) { return std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y); };
-    std::stable_sort(pieces.begin(), pieces.end(), [&](std::size_t a, std::size_t b) { return length(a) > length(b); });
+    std::ranges::stable_sort(pieces, [&](std::size_t a, std::size_t b) { return length(a) > length(b); });
     for (const std::size_t i : pieces) add_places_beside(line[i - 1], line[i], label, places);
     // Then places farther above and below.
     for (const double away : {16.0, 32.0, 48.0, 64.0, 96.0, 128.0})
@@ -132,7 +132,7 @@ private:
         for (std::size_t b = 0; b < level_.boxes.size(); ++b)
             if (drawn_.boxes[b]) order.push_back(b);
         const auto begin = [&](std::size_t b) { return (*drawn_.boxes[b]).corner.*start; };
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return begin(a) < begin(b); });
+        std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return begin(a) < begin(b); });
         std::vector<std::size_t> grown;
         for (const std::size_t b : order) {
             if (budget_ != nullptr) budget_->poll();

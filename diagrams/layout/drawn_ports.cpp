@@ -16,7 +16,7 @@ constexpr double half_port = port_size / 2;
 /// The side of a box that is nearest to a point. A point outside the box belongs to the side that it is beyond.
 Side side_of(const Point& place, const Size& size) {
     const std::array<double, 4> inside{place.x, size.width - place.x, place.y, size.height - place.y};
-    const auto nearest = std::min_element(inside.begin(), inside.end());
+    const auto nearest = std::ranges::min_element(inside);
     return static_cast<Side>(nearest - inside.begin());
 }
 
@@ -56,7 +56,7 @@ Point free_port(const Rectangle& box, double& from, const std::vector<PlacedPort
         return std::abs(port.centre.x - centre.x) < distance::ports &&
                std::abs(port.centre.y - centre.y) < distance::ports;
     };
-    while (std::any_of(ports.begin(), ports.end(), taken)) centre.y += distance::ports;
+    while (std::ranges::any_of(ports, taken)) centre.y += distance::ports;
     from = centre.y + distance::ports;
     centre.y = std::min(centre.y, box.bottom() - half_port);
     return centre;

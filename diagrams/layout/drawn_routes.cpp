@@ -113,9 +113,9 @@ std::vector<Point> simplified(const std::vector<Point>& points) {
 std::vector<Point> points_of(std::vector<Piece> pieces, const RouteEnd& from, const RouteEnd& to) {
     if (pieces.empty()) return {};
     begin_at(pieces, from);
-    std::reverse(pieces.begin(), pieces.end());
+    std::ranges::reverse(pieces);
     begin_at(pieces, to);
-    std::reverse(pieces.begin(), pieces.end());
+    std::ranges::reverse(pieces);
     if (pieces.size() == 1) return straight(pieces.front(), from, to);
     const auto start = side_towards(covered_by(from, pieces.front()), pieces[1].at);
     const auto end = side_towards(covered_by(to, pieces.back()), pieces[pieces.size() - 2].at);
@@ -233,9 +233,9 @@ void begin_oblique(std::vector<Point>& points, const RouteEnd& end) {
 std::vector<Point> oblique(std::vector<Point> points, const RouteEnd& from, const RouteEnd& to) {
     if (from.place == to.place && points.size() < 4) return {};
     begin_oblique(points, from);
-    std::reverse(points.begin(), points.end());
+    std::ranges::reverse(points);
     begin_oblique(points, to);
-    std::reverse(points.begin(), points.end());
+    std::ranges::reverse(points);
     return points;
 }
 
@@ -264,9 +264,8 @@ std::vector<double> between(const Range& a, const Range& b) {
 
 std::vector<Point> route_as_drawn(const DrawnEdge& edge, const RouteEnd& from, const RouteEnd& to) {
     if (edge.bends.size() < 2) return {};
-    const bool stored = std::any_of(edge.bends.begin(), edge.bends.end(), [&](const DrawnEdge::Bend& bend) {
-        return bend.from_source != edge.bends.front().from_source;
-    });
+    const bool stored = std::ranges::any_of(
+        edge.bends, [&](const DrawnEdge::Bend& bend) { return bend.from_source != edge.bends.front().from_source; });
     if (!stored) return {};
     const std::vector<Point> points = bends_of(edge, from, to);
     if (edge.right_angled && edge.bends.size() == 2 && is_askew(edge, 1)) return {};

@@ -74,10 +74,10 @@ void finish(const Level& level, std::vector<std::size_t>& layers) {
     for (std::size_t b = 0; b < layers.size(); ++b)
         if (level.boxes[b].pin == Pin::last) layers[b] = end;
     std::vector<std::size_t> used = layers;
-    std::sort(used.begin(), used.end());
+    std::ranges::sort(used);
     used.erase(std::unique(used.begin(), used.end()), used.end());
     for (std::size_t& layer : layers)
-        layer = static_cast<std::size_t>(std::lower_bound(used.begin(), used.end(), layer) - used.begin());
+        layer = static_cast<std::size_t>(std::ranges::lower_bound(used, layer) - used.begin());
 }
 
 }  // namespace
@@ -86,8 +86,7 @@ void assign_layers(Graph& graph) {
     const Level& level = *graph.level;
     const Neighbours near = neighbours(graph);
     const std::vector<std::size_t> order = topological_order(near);
-    const bool some_first =
-        std::any_of(level.boxes.begin(), level.boxes.end(), [](const Box& box) { return box.pin == Pin::first; });
+    const bool some_first = std::ranges::any_of(level.boxes, [](const Box& box) { return box.pin == Pin::first; });
     std::vector<std::size_t>& layers = graph.layer_of_box;
     layers.resize(level.boxes.size());
     for (const std::size_t box : order) {

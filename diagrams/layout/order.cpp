@@ -71,9 +71,8 @@ private:
     /// Sorts each layer by keys; the sort is stable.
     void sort_layers(const std::vector<double>& keys) {
         for (auto& layer : graph_.layers) {
-            std::sort(layer.begin(), layer.end());
-            std::stable_sort(layer.begin(), layer.end(),
-                             [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+            std::ranges::sort(layer);
+            std::ranges::stable_sort(layer, [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
         }
         number();
     }
@@ -95,8 +94,7 @@ private:
             for (const std::size_t n : layer)
                 if (places[n] == nothing) added.push_back(n);
             std::erase_if(layer, [&](std::size_t n) { return places[n] == nothing; });
-            std::stable_sort(layer.begin(), layer.end(),
-                             [&](std::size_t a, std::size_t b) { return places[a] < places[b]; });
+            std::ranges::stable_sort(layer, [&](std::size_t a, std::size_t b) { return places[a] < places[b]; });
             number(layer);
         }
         for (int round = 0; round < 3; ++round)
@@ -212,8 +210,8 @@ private:
             const double own = static_cast<double>(nodes_[n].position);
             keyed.emplace_back(near.empty() ? own : sum / static_cast<double>(near.size()), n);
         }
-        std::stable_sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-        std::transform(keyed.begin(), keyed.end(), layer.begin(), [](const auto& entry) { return entry.second; });
+        std::ranges::stable_sort(keyed, [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::ranges::transform(keyed, layer.begin(), [](const auto& entry) { return entry.second; });
         number(layer);
     }
 

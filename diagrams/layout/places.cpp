@@ -114,7 +114,7 @@ private:
             const double shift = graph_.links[chain.front()].upper_x - graph_.links[chain.back()].lower_x;
             if (std::abs(shift) <= little) ++shifts[shift];
         }
-        const auto best = std::max_element(shifts.begin(), shifts.end(), [](const auto& a, const auto& b) {
+        const auto best = std::ranges::max_element(shifts, [](const auto& a, const auto& b) {
             return std::pair(a.second, -std::abs(a.first)) < std::pair(b.second, -std::abs(b.first));
         });
         if (best == shifts.end()) return;
@@ -258,7 +258,7 @@ private:
         std::vector<Slot> slots = graph_.ports[b].empty() ? own_slots(b, down) : port_slots(b, down);
         if (slots.empty()) return;
         for (Slot& slot : slots) wish_of(b, slot, down);
-        std::stable_sort(slots.begin(), slots.end(), [](const Slot& x, const Slot& y) { return x.order < y.order; });
+        std::ranges::stable_sort(slots, [](const Slot& x, const Slot& y) { return x.order < y.order; });
         std::vector<Wish> wishes;
         const double gap = graph_.ports[b].empty() ? distance::slots : distance::ports;
         for (const Slot& slot : slots) wishes.push_back({slot.wanted, 1, gap});
@@ -343,7 +343,7 @@ private:
                 const Interval around = free_around(n);
                 return around.low <= x && x <= around.high;
             };
-            if (!free || !std::all_of(nodes.begin(), nodes.end(), can_move)) continue;
+            if (!free || !std::ranges::all_of(nodes, can_move)) continue;
             for (const std::size_t n : nodes) nodes_[n].x = x;
             for (const std::size_t l : chain) graph_.links[l].upper_x = graph_.links[l].lower_x = x;
             move_port(first.upper, first.upper_port, x);
@@ -383,7 +383,7 @@ private:
         const Interval side = side_of(graph_, nodes_[b], ends.size());
         if (x < side.low || x > side.high) return false;
         if (port != nothing) return is_free_port(b, port, ends, x);
-        return std::all_of(ends.begin(), ends.end(), [&](std::size_t other) {
+        return std::ranges::all_of(ends, [&](std::size_t other) {
             const Link& it = graph_.links[other];
             return other == l || std::abs((it.upper == b ? it.upper_x : it.lower_x) - x) >= distance::slots;
         });

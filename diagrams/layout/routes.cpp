@@ -101,7 +101,7 @@ private:
         }
         points.push_back({last.lower_x, border(last.lower, last.lower_x, last.turn == Link::Turn::under)});
         points = corners(points);
-        if (graph_.reversed[e]) std::reverse(points.begin(), points.end());
+        if (graph_.reversed[e]) std::ranges::reverse(points);
         if (graph_.turned)
             for (Point& point : points) point = turned(point);
         result_.edges[e].points = std::move(points);

@@ -92,8 +92,7 @@ public:
 
     /// Sets the positions; the first track is at `y`.
     void finish(double y) {
-        std::stable_sort(pieces_.begin(), pieces_.end(),
-                         [](const Piece& a, const Piece& b) { return a.part < b.part; });
+        std::ranges::stable_sort(pieces_, [](const Piece& a, const Piece& b) { return a.part < b.part; });
         for (const Piece& piece : pieces_)
             graph_.links[piece.link].tracks.push_back(
                 {y + static_cast<double>(piece.track) * distance::tracks, piece.to});
@@ -104,8 +103,8 @@ private:
     /// until the cost no longer improves.
     void order() {
         for (Piece& piece : pieces_) piece.track = 0;
-        std::stable_sort(pieces_.begin(), pieces_.end(),
-                         [](const Piece& a, const Piece& b) { return a.high - a.low > b.high - b.low; });
+        std::ranges::stable_sort(pieces_,
+                                 [](const Piece& a, const Piece& b) { return a.high - a.low > b.high - b.low; });
         if (pieces_.size() > largest_search) return;
         compute_costs();
         std::vector<std::size_t> order;
@@ -144,7 +143,7 @@ private:
     bool improve(std::vector<std::size_t>& order) const {
         bool better = false;
         for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
-            const auto at = std::find(order.begin(), order.end(), piece);
+            const auto at = std::ranges::find(order, piece);
             const auto place = static_cast<std::size_t>(at - order.begin());
             std::size_t now = 0;
             for (std::size_t i = 0; i < order.size(); ++i)
@@ -193,7 +192,7 @@ private:
         for (double away = 0;; away += 1)
             for (const double x : {middle + away, middle - away}) {
                 const auto near = [&](double other) { return std::abs(other - x) < distance::pieces; };
-                if (std::none_of(straight_.begin(), straight_.end(), near)) return x;
+                if (std::ranges::none_of(straight_, near)) return x;
             }
     }
 

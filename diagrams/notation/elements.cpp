@@ -102,7 +102,7 @@ Elements::Elements(const Model& model, std::size_t first) {
         if (file->is_library || file->is_assertions) continue;
         Collector collector;
         for (const auto& declaration : file->declarations) collector.add(*declaration);
-        std::stable_sort(collector.found.begin(), collector.found.end(), [](const Found& a, const Found& b) {
+        std::ranges::stable_sort(collector.found, [](const Found& a, const Found& b) {
             return std::pair(a.element.span.begin, b.element.span.end) <
                    std::pair(b.element.span.begin, a.element.span.end);
         });

@@ -46,7 +46,7 @@ std::string joined(const std::vector<std::string>& pieces) {
 /// True if `target` is the node or inside it.
 bool holds(const State& node, const State* target) {
     if (&node == target) return true;
-    return std::any_of(node.nodes.begin(), node.nodes.end(), [&](const auto& each) { return holds(*each, target); });
+    return std::ranges::any_of(node.nodes, [&](const auto& each) { return holds(*each, target); });
 }
 
 }  // namespace

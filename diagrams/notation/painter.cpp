@@ -120,7 +120,7 @@ std::vector<const Event*> events_of(const Context& context) {
     std::vector<const Event*> events;
     const auto add = [&](const Context& declaring) {
         for (const auto& event : declaring.events)
-            if (std::find(events.begin(), events.end(), event.get()) == events.end()) events.push_back(event.get());
+            if (std::ranges::find(events, event.get()) == events.end()) events.push_back(event.get());
     };
     add(context);
     for (const InterfaceClause& clause : context.interfaces)

@@ -90,8 +90,8 @@ void PartLevel::describe(Part& part) const {
 void PartLevel::open(Part& part) const {
     const auto* machine = dynamic_cast<const Machine*>(part.declaration);
     if (drawing_.stored == nullptr || machine == nullptr) return;
-    const bool drawn = std::any_of(machine->nodes.begin(), machine->nodes.end(),
-                                   [&](const auto& node) { return drawing_.stored->box(node.get()).has_value(); });
+    const bool drawn = std::ranges::any_of(
+        machine->nodes, [&](const auto& node) { return drawing_.stored->box(node.get()).has_value(); });
     if (drawn) part.inner = std::make_unique<NodeLevel>(*machine, component_.name + "::" + machine->name, drawing_);
 }
 

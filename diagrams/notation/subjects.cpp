@@ -72,7 +72,7 @@ private:
     }
 
     void add_package(const File& file) {
-        const bool drawn = std::any_of(file.declarations.begin(), file.declarations.end(), [](const auto& each) {
+        const bool drawn = std::ranges::any_of(file.declarations, [](const auto& each) {
             return each->kind == DeclKind::interface || each->kind == DeclKind::function ||
                    dynamic_cast<const TypeDeclaration*>(each.get()) != nullptr;
         });
@@ -324,12 +324,10 @@ std::string counted(std::size_t count, const std::string& one) {
 
 /// Counts the contents, without squares of events and the frame.
 std::string description_of(const Picture& picture) {
-    const auto boxes =
-        static_cast<std::size_t>(std::count_if(picture.boxes.begin(), picture.boxes.end(), [](const PictureBox& box) {
-            return box.event_of == none && box.look != Look::frame;
-        }));
-    const std::size_t events = static_cast<std::size_t>(std::count_if(
-        picture.boxes.begin(), picture.boxes.end(), [](const PictureBox& box) { return box.event_of != none; }));
+    const auto boxes = static_cast<std::size_t>(std::ranges::count_if(
+        picture.boxes, [](const PictureBox& box) { return box.event_of == none && box.look != Look::frame; }));
+    const std::size_t events = static_cast<std::size_t>(
+        std::ranges::count_if(picture.boxes, [](const PictureBox& box) { return box.event_of != none; }));
     return fmt::format("{}, {}, {}", boxes == 1 ? "1 box" : fmt::format("{} boxes", boxes),
                        counted(picture.lines.size(), "line"), counted(events, "event"));
 }

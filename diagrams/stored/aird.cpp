@@ -342,8 +342,8 @@ private:
         if (version == nullptr || encoding == nullptr) return;
         self(data).guarded([&] {
             std::string name(encoding);
-            std::transform(name.begin(), name.end(), name.begin(),
-                           [](char c) { return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+            std::ranges::transform(name, name.begin(),
+                                   [](char c) { return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
             if (name != "UTF-8" && name != "ASCII" && name != "US-ASCII")
                 throw Refused(fmt::format("its encoding is {}, not UTF-8", name.substr(0, 40)));
         });

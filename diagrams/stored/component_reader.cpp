@@ -300,7 +300,7 @@ private:
                 if (drawn && diagram_.lines[line].visible && ids_.contains(element.target)) result.push_back(line);
             }
         }
-        std::sort(result.begin(), result.end());
+        std::ranges::sort(result);
         return result;
     }
 

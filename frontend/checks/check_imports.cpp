@@ -55,8 +55,7 @@ private:
                                     {import.name.text(), fmt::format("no package `{}`", package)});
         const std::string meant = diagnostics::nearest(package, packages_);
         if (meant.empty()) return;
-        const Span& last =
-            import.name.spans.at(static_cast<std::size_t>(std::count(package.begin(), package.end(), ':')) / 2);
+        const Span& last = import.name.spans.at(static_cast<std::size_t>(std::ranges::count(package, ':')) / 2);
         const Span& first = import.name.spans.front();
         finding.fixes.push_back({{first.source, first.begin, last.end},
                                  meant,

@@ -45,7 +45,7 @@ bool has_incoming(const Ways& ways, const State& node) {
 
 std::size_t count(const NodeContainer& container, DeclKind kind) {
     return static_cast<std::size_t>(
-        std::count_if(container.nodes.begin(), container.nodes.end(), [&](const auto& n) { return n->kind == kind; }));
+        std::ranges::count_if(container.nodes, [&](const auto& n) { return n->kind == kind; }));
 }
 
 void check_actions(const State& state, Diagnostics& out) {
@@ -135,7 +135,7 @@ std::optional<Polynomial> product(const Polynomial& left, const Polynomial& righ
         for (const auto& [b, factor_b] : right) {
             Product both = a;
             both.insert(both.end(), b.begin(), b.end());
-            std::sort(both.begin(), both.end(), std::less<>());
+            std::ranges::sort(both, std::less<>());
             result[both] += factor_a * factor_b;
         }
     return result;
@@ -191,7 +191,7 @@ void check_probability_sum(const Ways& ways, const State& node, Diagnostics& out
     }
     constexpr double tolerance = 1e-9;
     const auto open = [](const auto& term) { return !term.first.empty() && std::abs(term.second) > tolerance; };
-    if (!total || std::any_of(total->begin(), total->end(), open)) {
+    if (!total || std::ranges::any_of(*total, open)) {
         out.report(rules::pj3_unknown, node.name_span, {node.name});
         return;
     }

@@ -69,8 +69,8 @@ bool mentions_time(const Expr& expr) {
 void check_entries(const NodeContainer& container, const Expr& expr, Diagnostics& out) {
     walk(expr, [&](const Expr& part) {
         if (part.kind != ExprKind::since_entry || part.target == nullptr) return;
-        const bool beside = std::any_of(container.nodes.begin(), container.nodes.end(),
-                                        [&](const auto& node) { return node.get() == part.target; });
+        const bool beside =
+            std::ranges::any_of(container.nodes, [&](const auto& node) { return node.get() == part.target; });
         if (!beside) out.report(rules::te5, part.span, {part.name.text()});
     });
 }

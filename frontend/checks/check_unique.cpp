@@ -111,8 +111,7 @@ void check_entry(const Names& names, const std::string& full, const std::vector<
         // A literal is entered a second time, under its full name, if its enumeration has a name.
         if (declaration->kind == DeclKind::enum_literal && full != names.full_name(declaration)) continue;
         if (!entered.insert(declaration).second) continue;
-        const auto group =
-            std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return clash(*g.front(), *declaration); });
+        const auto group = std::ranges::find_if(groups, [&](const auto& g) { return clash(*g.front(), *declaration); });
         if (group == groups.end())
             groups.push_back({declaration});
         else
@@ -135,8 +134,7 @@ void check_blocks(const File& file, Diagnostics& out) {
     for (const auto& [name, all] : blocks) {
         Places places;
         for (const CspBlock* block : all)
-            if (std::any_of(all.begin(), all.end(),
-                            [&](const CspBlock* other) { return other != block && meet(*block, *other); }))
+            if (std::ranges::any_of(all, [&](const CspBlock* other) { return other != block && meet(*block, *other); }))
                 places.push_back(block->name_span);
         report(name, places, out);
     }

@@ -31,7 +31,7 @@ Doc ModelLayout::braces(ModelPart part, Gap inside, Gap between) {
 bool ModelLayout::opens_block() const {
     constexpr std::array<std::string_view, 9> words = {"interface", "robotic",  "controller", "stm",     "operation",
                                                        "module",    "datatype", "record",     "function"};
-    if (std::none_of(words.begin(), words.end(), [&](std::string_view word) { return at(word); })) return false;
+    if (std::ranges::none_of(words, [&](std::string_view word) { return at(word); })) return false;
     std::size_t ahead = 0;
     while (!peek(ahead).is("{") && peek(ahead).kind != TokenKind::end) ++ahead;
     return !peek(ahead + 1).is("}");

@@ -12,7 +12,7 @@ namespace {
 
 std::size_t columns(std::string_view text) {
     const auto begins_character = [](char c) { return !diagnostics::is_continuation(c); };
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
+    return static_cast<std::size_t>(std::ranges::count_if(text, begins_character));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ bool ends_line(Gap gap) {
 
 template <std::size_t n>
 bool among(std::string_view word, const std::array<std::string_view, n>& words) {
-    return std::find(words.begin(), words.end(), word) != words.end();
+    return std::ranges::find(words, word) != words.end();
 }
 
 std::string_view without_trailing_blanks(std::string_view line) {
@@ -67,10 +67,10 @@ Doc WordLayout::gap(Gap gap) {
     const std::vector<Piece> found = take_comments();
     const bool joins = gap == Gap::none || gap == Gap::soft || gap == Gap::blank;
     const auto on_line = [&](const Piece& p) { return !p.to_line_end && (p.lines == 0 || (p.is_token && joins)); };
-    const bool one_line = gap != Gap::start && std::all_of(found.begin(), found.end(), on_line);
+    const bool one_line = gap != Gap::start && std::ranges::all_of(found, on_line);
     if (one_line) return inline_comments(gap, found);
     const auto stays = [&](const Piece& p) { return p.lines == 0 && !p.is_token && gap != Gap::start; };
-    const auto moved = std::find_if_not(found.begin(), found.end(), stays);
+    const auto moved = std::ranges::find_if_not(found, stays);
     const auto count = static_cast<std::size_t>(moved - found.begin());
     return doc_.cat(trailing(found, count), own_lines(gap, found, count));
 }

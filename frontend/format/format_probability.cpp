@@ -18,8 +18,8 @@ constexpr std::array<std::string_view, 7> definition_words = {"const",   "consta
 // ---------------------------------------------------------------- members
 
 bool AssertionLayout::at_probabilistic_part() const {
-    return at_word("prob") || std::any_of(definition_words.begin(), definition_words.end(),
-                                          [&](std::string_view word) { return at_word(word); });
+    return at_word("prob") ||
+           std::ranges::any_of(definition_words, [&](std::string_view word) { return at_word(word); });
 }
 
 Doc AssertionLayout::probabilistic_part(Gap gap) {
@@ -186,8 +186,7 @@ bool ExpressionLayout::at_probabilistic_form() const {
     constexpr std::array<std::string_view, 9> words = {"Prob",     "Reward", "Forall",  "Exists", "Finally",
                                                        "Globally", "Next",   "Release", "Weak"};
     const bool sign = at("$") || at("#") || at("@") || at("&");
-    return probabilistic_ &&
-           (sign || std::any_of(words.begin(), words.end(), [&](std::string_view word) { return at_word(word); }));
+    return probabilistic_ && (sign || std::ranges::any_of(words, [&](std::string_view word) { return at_word(word); }));
 }
 
 Doc ExpressionLayout::probabilistic_form() {

@@ -34,7 +34,7 @@ bool TokenReader::at_word(std::string_view word, std::size_t ahead) const {
 
 bool TokenReader::at_closing() const {
     constexpr std::array<std::string_view, 6> closing = {")", "]", "}", "|)", "|]", ">"};
-    return at_end() || std::any_of(closing.begin(), closing.end(), [&](std::string_view word) { return at(word); });
+    return at_end() || std::ranges::any_of(closing, [&](std::string_view word) { return at(word); });
 }
 
 bool TokenReader::may_touch() const {
@@ -48,8 +48,8 @@ bool TokenReader::may_touch() const {
     if ((left == "Set" || left == "Seq") && right.front() == '(') return false;
     if (before.kind != TokenKind::symbol || peek().kind != TokenKind::symbol) return true;
     const std::string both = std::string(left) + std::string(right);
-    return std::none_of(joined.begin(), joined.end(),
-                        [&](std::string_view word) { return word.size() > left.size() && both.starts_with(word); });
+    return std::ranges::none_of(
+        joined, [&](std::string_view word) { return word.size() > left.size() && both.starts_with(word); });
 }
 
 std::string_view TokenReader::take() {

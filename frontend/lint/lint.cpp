@@ -88,8 +88,7 @@ bool may_lint(const File& file, const Diagnostics& out) {
 }
 
 bool may_lint_project(const Model& model, const Diagnostics& out) {
-    return out.ok() && std::none_of(model.files.begin(), model.files.end(),
-                                    [](const auto& file) { return file->has_syntax_errors; });
+    return out.ok() && std::ranges::none_of(model.files, [](const auto& file) { return file->has_syntax_errors; });
 }
 
 void lint_file(const File& file, const Names& names, const WrittenBy& written_by, Diagnostics& out) {

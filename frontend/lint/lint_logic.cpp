@@ -166,9 +166,8 @@ Formula Reasoner::compare(Linear difference, Relation relation, const std::strin
     const std::size_t index = key(KeyKind::number, name);
     Key& found = keys_[index];
     found.form = form.terms;
-    found.integer = std::all_of(form.terms.begin(), form.terms.end(), [&](const auto& part) {
-        return is_integral(part.second) && terms_.at(part.first).integer;
-    });
+    found.integer = std::ranges::all_of(
+        form.terms, [&](const auto& part) { return is_integral(part.second) && terms_.at(part.first).integer; });
     Atom atom;
     atom.key = index;
     atom.relation = relation;

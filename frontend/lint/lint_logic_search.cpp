@@ -79,7 +79,7 @@ private:
     void collect(const Formula& formula) {
         if (formula.form == Formula::Form::atom) {
             const std::size_t key = reasoner_.atoms_[formula.atom].key;
-            if (std::find(order_.begin(), order_.end(), key) == order_.end()) order_.push_back(key);
+            if (std::ranges::find(order_, key) == order_.end()) order_.push_back(key);
         }
         for (const Formula& part : formula.parts) collect(part);
     }
@@ -131,7 +131,7 @@ private:
         }
         add({low, infinity, false, inside(low, infinity, key.integer)});
         // Values near zero come first, because examples with them are easier to read.
-        std::stable_sort(result.begin(), result.end(), [](const Value& a, const Value& b) {
+        std::ranges::stable_sort(result, [](const Value& a, const Value& b) {
             return std::abs(a.region.sample) < std::abs(b.region.sample);
         });
         return result;

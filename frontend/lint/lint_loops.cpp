@@ -74,7 +74,7 @@ private:
                                                const std::unordered_map<const State*, const Transition*>& reached_by) {
         std::vector<const Transition*> cycle{&last};
         while (cycle.back()->source != &start) cycle.push_back(reached_by.at(cycle.back()->source));
-        std::reverse(cycle.begin(), cycle.end());
+        std::ranges::reverse(cycle);
         return cycle;
     }
 

@@ -50,8 +50,7 @@ private:
     static Events with(Events events, const State& node, const Graph& graph) {
         for (const Transition* transition : graph.out(node)) {
             const Declaration* event = transition->trigger ? transition->trigger->event_target : nullptr;
-            if (event != nullptr && std::find(events.begin(), events.end(), event) == events.end())
-                events.push_back(event);
+            if (event != nullptr && std::ranges::find(events, event) == events.end()) events.push_back(event);
         }
         return events;
     }

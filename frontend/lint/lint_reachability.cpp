@@ -65,9 +65,8 @@ private:
     /// RC-W04 reports a transition that is never taken, so the nodes after it are not reported here.
     [[nodiscard]] bool cut_off(const State& node) const {
         const auto& ways = graph_.in(node);
-        return std::any_of(ways.begin(), ways.end(), [&](const Transition* way) {
-            return never_.contains(way) && reached_.contains(way->source);
-        });
+        return std::ranges::any_of(
+            ways, [&](const Transition* way) { return never_.contains(way) && reached_.contains(way->source); });
     }
 
     void report(const State& node, Diagnostics& out) {

@@ -55,7 +55,7 @@ Names::Names(const Model& model) {
     for (const auto& file : model.files) enter_file(*file);
     for (const auto& [full, declarations] : by_name_)
         for (const Declaration* declaration : declarations) by_simple_name_[declaration->name].push_back(declaration);
-    std::sort(packages_.begin(), packages_.end());
+    std::ranges::sort(packages_);
     for (const auto& [full, declarations] : by_name_) most_parts_ = std::max(most_parts_, parts_of(full));
     for (const std::string& package : packages_) most_parts_ = std::max(most_parts_, parts_of(package));
     // A clause that could not be parsed may have named an interface, so the members of that interface count as lost,
@@ -183,8 +183,7 @@ const Declaration* Names::find(const Place& place, const QualifiedName& name, co
 std::vector<std::string> Names::candidates(const Kinds& kinds) const {
     std::vector<std::string> result;
     for (const auto& [simple, declarations] : by_simple_name_)
-        if (std::any_of(declarations.begin(), declarations.end(),
-                        [&](const Declaration* d) { return kinds.has(d->kind); }))
+        if (std::ranges::any_of(declarations, [&](const Declaration* d) { return kinds.has(d->kind); }))
             result.push_back(simple);
     return result;
 }
@@ -245,17 +244,17 @@ bool Names::qualifies(const QualifiedName& name, const Declaration& member) cons
 bool Names::is_lost(const QualifiedName& name) const {
     asked_lost_ = true;
     if (lost_declarations_) return true;
-    return std::any_of(name.parts.begin(), name.parts.end(),
-                       [&](const std::string& part) { return part.starts_with('?') || lost_.contains(part); });
+    return std::ranges::any_of(name.parts,
+                               [&](const std::string& part) { return part.starts_with('?') || lost_.contains(part); });
 }
 
 bool Names::has_package(const std::string& name) const {
-    return std::binary_search(packages_.begin(), packages_.end(), name);
+    return std::ranges::binary_search(packages_, name);
 }
 
 bool Names::leads_to_package(const std::string& name) const {
     if (has_package(name)) return true;
-    const auto inner = std::lower_bound(packages_.begin(), packages_.end(), name + "::");
+    const auto inner = std::ranges::lower_bound(packages_, name + "::");
     return inner != packages_.end() && inner->starts_with(name + "::");
 }
 

@@ -70,7 +70,7 @@ std::string broken_in(const File& file) {
 }
 
 bool has_components(const File& file) {
-    return std::any_of(file.declarations.begin(), file.declarations.end(), [](const auto& declaration) {
+    return std::ranges::any_of(file.declarations, [](const auto& declaration) {
         return dynamic_cast<const Component*>(declaration.get()) != nullptr;
     });
 }
@@ -90,10 +90,9 @@ bool has_sizes(File& file) {
 }
 
 bool points_into(const Findings& findings, const std::set<SourceId>& sources) {
-    return std::any_of(findings.begin(), findings.end(), [&](const Diagnostic& finding) {
+    return std::ranges::any_of(findings, [&](const Diagnostic& finding) {
         const auto in = [&](const auto& each) { return sources.contains(each.span.source); };
-        return std::any_of(finding.notes.begin(), finding.notes.end(), in) ||
-               std::any_of(finding.fixes.begin(), finding.fixes.end(), in);
+        return std::ranges::any_of(finding.notes, in) || std::ranges::any_of(finding.fixes, in);
     });
 }
 
@@ -159,8 +158,7 @@ void Resolution::State::replace(std::unique_ptr<File>& place, std::unique_ptr<Fi
 /// True if some file has no kept results, or if results are kept for a file that is not in the model.
 bool Resolution::State::must_begin_anew(const Model& model) const {
     return !valid_ || known_.size() != model.files.size() ||
-           std::any_of(model.files.begin(), model.files.end(),
-                       [&](const auto& file) { return !known_.contains(file->source); });
+           std::ranges::any_of(model.files, [&](const auto& file) { return !known_.contains(file->source); });
 }
 
 void Resolution::State::resolve(Model& model, Diagnostics& out) {

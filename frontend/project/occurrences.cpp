@@ -84,7 +84,7 @@ public:
 private:
     static std::size_t known(const std::vector<Part>& parts) {
         return static_cast<std::size_t>(
-            std::count_if(parts.begin(), parts.end(), [](const Part& p) { return p.target || !p.package.empty(); }));
+            std::ranges::count_if(parts, [](const Part& p) { return p.target || !p.package.empty(); }));
     }
 
     /// The possible numbers of leading parts that name a package, beginning with none.
@@ -336,8 +336,7 @@ std::vector<Occurrence> occurrences(const Model& model) {
     for (const auto& file : model.files)
         if (!file->is_library) collector.file(*file);
     const auto place = [](const Occurrence& o) { return std::make_tuple(o.span.source, o.span.begin, o.span.end); };
-    std::stable_sort(result.begin(), result.end(),
-                     [&](const Occurrence& a, const Occurrence& b) { return place(a) < place(b); });
+    std::ranges::stable_sort(result, [&](const Occurrence& a, const Occurrence& b) { return place(a) < place(b); });
     return result;
 }
 

@@ -97,7 +97,7 @@ Neighbour survey(const fs::path& path) {
 }
 
 bool overlap(const std::set<std::string>& a, const std::set<std::string>& b) {
-    return std::any_of(a.begin(), a.end(), [&](const std::string& x) { return b.contains(x); });
+    return std::ranges::any_of(a, [&](const std::string& x) { return b.contains(x); });
 }
 
 /// True if a chosen file needs the candidate: it imports its package, has the same package, or mentions a name that
@@ -109,8 +109,7 @@ bool needs(const Neighbour& chosen, const Neighbour& candidate, const std::set<s
     const std::string first_part = candidate.package.substr(0, candidate.package.find("::"));
     if (!first_part.empty() && !chosen.mentions.contains(first_part)) return false;
     std::set<std::string> only_there;
-    std::set_difference(candidate.declares.begin(), candidate.declares.end(), declared.begin(), declared.end(),
-                        std::inserter(only_there, only_there.end()));
+    std::ranges::set_difference(candidate.declares, declared, std::inserter(only_there, only_there.end()));
     return overlap(only_there, chosen.mentions);
 }
 
@@ -119,7 +118,7 @@ bool needs(const Neighbour& chosen, const Neighbour& candidate, const std::set<s
 std::vector<fs::path> candidates(const fs::path& named, bool alone, Diagnostics& out) {
     const fs::path folder = named.has_parent_path() ? named.parent_path() : fs::path(".");
     std::vector<fs::path> found = files_of(folder, false, out);
-    if (alone && is_assertions(named) && std::none_of(found.begin(), found.end(), is_model)) {
+    if (alone && is_assertions(named) && std::ranges::none_of(found, is_model)) {
         Diagnostics ignored;  // that folder is not an input, so it is not checked
         found = files_of((folder / "..").lexically_normal(), false, ignored);
     } else {
@@ -153,7 +152,7 @@ std::vector<fs::path> closure(const fs::path& named, bool alone, Diagnostics& ou
         for (const Neighbour& other : open)
             if (is_assertions(other.path) && (!other.readable || overlap(other.mentions, chosen.front().declares)))
                 result.push_back(other.path);
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     return result;
 }
 
@@ -165,7 +164,7 @@ std::string similar_path(const fs::path& path) {
     constexpr std::size_t most = 1000;
     for (fs::directory_iterator at(folder, code), end; !code && at != end && names.size() < most; at.increment(code))
         names.push_back(at->path().filename().string());
-    std::sort(names.begin(), names.end());
+    std::ranges::sort(names);
     const std::string meant = diagnostics::nearest(path.filename().string(), names);
     if (meant.empty()) return "";
     return path.has_parent_path() ? (path.parent_path() / meant).string() : meant;
@@ -288,9 +287,8 @@ std::unique_ptr<Model> load_project(SourceManager& sources, const std::vector<st
     if (paths.empty()) return model;
     for (const fs::path& each : paths)
         if (auto file = read(sources, each, out)) model->files.push_back(std::move(file));
-    const bool nothing = std::all_of(model->files.begin(), model->files.end(), [](const auto& file) {
-        return file->declarations.empty() && !file->has_syntax_errors;
-    });
+    const bool nothing = std::ranges::all_of(
+        model->files, [](const auto& file) { return file->declarations.empty() && !file->has_syntax_errors; });
     if (nothing && !model->files.empty())
         out.report(syntax::empty_input, {model->files.front()->source, 0, 0}, {inputs.front()});
     if (!nothing)

@@ -57,8 +57,7 @@ void check(const Model& model, const Names& names, Diagnostics& out) {
     check_unique(model, names, out);
     check_imports(model, names, out);
     check_ends(model, names, out);
-    const bool whole =
-        std::none_of(model.files.begin(), model.files.end(), [](const auto& file) { return file->has_syntax_errors; });
+    const bool whole = std::ranges::none_of(model.files, [](const auto& file) { return file->has_syntax_errors; });
     for (const auto& file : model.files) {
         check_probabilistic(*file, out);
         for (const auto& declaration : file->declarations) check(*declaration, whole, out);

@@ -220,7 +220,7 @@ void split(const Model& model, const std::vector<std::size_t>& group, std::vecto
     for (const std::string& text : order) {
         Unit unit{models, text != order.front()};
         unit.files.insert(unit.files.end(), by_text.at(text).begin(), by_text.at(text).end());
-        std::sort(unit.files.begin(), unit.files.end());
+        std::ranges::sort(unit.files);
         result.push_back(std::move(unit));
     }
 }

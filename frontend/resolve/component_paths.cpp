@@ -70,8 +70,7 @@ const State* state_at(const NodeContainer& top, const QualifiedName& name, std::
     const State* state = nullptr;
     for (std::size_t i = at; i < name.parts.size(); ++i) {
         const auto& nodes = container->nodes;
-        const auto found =
-            std::find_if(nodes.begin(), nodes.end(), [&](const auto& node) { return node->name == name.parts[i]; });
+        const auto found = std::ranges::find_if(nodes, [&](const auto& node) { return node->name == name.parts[i]; });
         if (found == nodes.end()) return nullptr;
         state = found->get();
         container = state;

@@ -75,8 +75,8 @@ private:
 /// several files may have one of this name.
 const CspBlock* AssertionResolver::process(const std::string& name) const {
     const auto in = [&](const File& file) {
-        const auto found = std::find_if(file.csp_blocks.begin(), file.csp_blocks.end(),
-                                        [&](const CspBlock& block) { return block.name == name; });
+        const auto found =
+            std::ranges::find_if(file.csp_blocks, [&](const CspBlock& block) { return block.name == name; });
         return found == file.csp_blocks.end() ? nullptr : &*found;
     };
     if (const CspBlock* block = in(*file_)) return block;
@@ -115,7 +115,7 @@ std::vector<std::string> AssertionResolver::known_names() const {
 /// The existing names, for a message; empty if there are too many to list.
 std::string instead(std::vector<std::string> names) {
     constexpr std::size_t most = 6;
-    std::sort(names.begin(), names.end());
+    std::ranges::sort(names);
     names.erase(std::unique(names.begin(), names.end()), names.end());
     if (names.empty() || names.size() > most) return "";
     return fmt::format("; there are {}", fmt::join(names, ", "));
@@ -381,8 +381,8 @@ void AssertionResolver::report_open(const Assertion& assertion, const ComponentP
     if (!asks) return;
     std::vector<const Variable*> open;
     for (const Variable* variable : required_variables(*definition)) {
-        const bool given = std::any_of(assertion.parameters.begin(), assertion.parameters.end(),
-                                       [&](const auto& p) { return p.name.parts.back() == variable->name; });
+        const bool given = std::ranges::any_of(assertion.parameters,
+                                               [&](const auto& p) { return p.name.parts.back() == variable->name; });
         if (variable->kind == DeclKind::constant && !variable->initial && !given) open.push_back(variable);
     }
     if (open.empty() || !reported_open_.insert(definition).second) return;

@@ -93,8 +93,8 @@ const State* Resolver::node(const QualifiedName& name, const Transition& transit
     if (const auto found = names.find(name.parts.front()); found != names.end()) return found->second;
     const State* elsewhere = nullptr;
     walk(machine, [&](const NodeContainer& other) {
-        const auto found = std::find_if(other.nodes.begin(), other.nodes.end(),
-                                        [&](const auto& n) { return n->name == name.parts.front(); });
+        const auto found =
+            std::ranges::find_if(other.nodes, [&](const auto& n) { return n->name == name.parts.front(); });
         if (elsewhere == nullptr && found != other.nodes.end()) elsewhere = found->get();
     });
     if (machine.broken && elsewhere != nullptr) return nullptr;  // a misplaced brace may have moved the node

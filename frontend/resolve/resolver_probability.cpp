@@ -204,7 +204,7 @@ void ProbabilityResolver::in_state(Expr& expr) {
 void ProbabilityResolver::defined(const QualifiedName& name, ProbabilisticKind kind, std::string_view what) {
     std::vector<std::string> candidates;
     each_definition(kind, [&](const ProbabilisticDefinition& each) { candidates.push_back(each.name); });
-    if (std::find(candidates.begin(), candidates.end(), name.parts.back()) == candidates.end())
+    if (std::ranges::find(candidates, name.parts.back()) == candidates.end())
         finder_.unknown(name, what, "in the assertion files", candidates);
 }
 
@@ -247,7 +247,7 @@ void ProbabilityResolver::marked(Expr& expr) {
     each_definition(ProbabilisticKind::definitions, [&](const ProbabilisticDefinition& each) {
         for (const ProbabilisticFunction& function : each.functions) functions.push_back(function.name);
     });
-    if (std::find(functions.begin(), functions.end(), expr.name.parts.back()) == functions.end())
+    if (std::ranges::find(functions, expr.name.parts.back()) == functions.end())
         finder_.unknown(expr.name, "function", "in the assertion files", functions);
 }
 

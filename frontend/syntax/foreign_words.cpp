@@ -357,8 +357,8 @@ constexpr std::array forms{
 
 constexpr auto table = [] {
     std::array<ForeignWord, rows.size() + types.size()> all{};
-    std::copy(rows.begin(), rows.end(), all.begin());
-    std::copy(types.begin(), types.end(), all.begin() + rows.size());
+    std::ranges::copy(rows, all.begin());
+    std::ranges::copy(types, all.begin() + rows.size());
     return all;
 }();
 
@@ -392,8 +392,8 @@ diagnostics::AdviceWord advice_word(const TokenList& tokens, std::ptrdiff_t inde
 }
 
 const ForeignWord* foreign_word(std::string_view word, ForeignPlace place) {
-    const auto* const found = std::find_if(
-        table.begin(), table.end(), [&](const ForeignWord& each) { return each.word == word && each.place == place; });
+    const auto* const found =
+        std::ranges::find_if(table, [&](const ForeignWord& each) { return each.word == word && each.place == place; });
     return found == table.end() ? nullptr : found;
 }
 

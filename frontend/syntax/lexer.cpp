@@ -43,7 +43,7 @@ const std::vector<std::string_view>& reserved_words() {
 
 bool is_reserved(std::string_view word) {
     const auto& words = reserved_words();
-    return std::binary_search(words.begin(), words.end(), word);
+    return std::ranges::binary_search(words, word);
 }
 
 std::string shorten(std::string_view text) {
@@ -89,9 +89,9 @@ std::string_view word_at(std::size_t index) {
 
 std::size_t index_of(std::string_view word) {
     const auto& reserved = reserved_words();
-    const auto found = std::lower_bound(reserved.begin(), reserved.end(), word);
+    const auto found = std::ranges::lower_bound(reserved, word);
     if (found != reserved.end() && *found == word) return static_cast<std::size_t>(found - reserved.begin());
-    const auto* symbol = std::find(symbols.begin(), symbols.end(), word);
+    const auto* symbol = std::ranges::find(symbols, word);
     return reserved.size() + static_cast<std::size_t>(symbol - symbols.begin());
 }
 
@@ -285,8 +285,7 @@ bool Lexer::mathematical() {
                                          {"\u2192", "->"},
                                          {"\u00D7", "*"},
                                          {"\u2212", "-"}}};
-    const auto* const sign =
-        std::find_if(signs.begin(), signs.end(), [&](const Sign& each) { return starts(each.written); });
+    const auto* const sign = std::ranges::find_if(signs, [&](const Sign& each) { return starts(each.written); });
     if (sign == signs.end()) return false;
     const std::size_t begin = at_;
     at_ += sign->written.size();

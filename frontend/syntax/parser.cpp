@@ -30,12 +30,12 @@ constexpr std::array<std::string_view, 29> member_words = {
 bool among_neural(std::string_view word) {
     constexpr std::array<std::string_view, 6> words = {"anncontroller", "ANNController", "annoperation",
                                                        "ANNOperation",  "ann",           "ANN"};
-    return std::find(words.begin(), words.end(), word) != words.end();
+    return std::ranges::find(words, word) != words.end();
 }
 
 template <class Words>
 bool among(const Token& token, const Words& words) {
-    return token.kind == TokenKind::keyword && std::find(words.begin(), words.end(), token.text) != words.end();
+    return token.kind == TokenKind::keyword && std::ranges::find(words, token.text) != words.end();
 }
 
 }  // namespace
@@ -270,7 +270,7 @@ void Parser::point_to_open(std::string_view what, diagnostics::Diagnostic& findi
 /// If invalid characters were skipped here, the message about them is enough.
 bool Parser::behind_strange_characters() const {
     const std::uint32_t from = at_ > 0 ? previous().span.end : 0;
-    const auto first = std::lower_bound(strange_.begin(), strange_.end(), from);
+    const auto first = std::ranges::lower_bound(strange_, from);
     return first != strange_.end() && *first < std::max(from + 1, peek().span.begin);
 }
 
@@ -369,7 +369,7 @@ std::string_view Parser::meant_word() {
     words.insert(words.end(), top_level_words.begin(), top_level_words.end());
     const std::string meant = diagnostics::nearest(peek().text, words);
     const auto& reserved = reserved_words();
-    const auto word = std::lower_bound(reserved.begin(), reserved.end(), meant);
+    const auto word = std::ranges::lower_bound(reserved, meant);
     return meant.empty() || word == reserved.end() || *word != meant ? std::string_view() : *word;
 }
 
@@ -377,7 +377,7 @@ bool Parser::correct_word(std::initializer_list<std::string_view> keywords) {
     if (peek().kind != TokenKind::identifier || peek().escaped || at_ < quiet_until_) return false;
     const std::vector<std::string> words(keywords.begin(), keywords.end());
     const std::string meant = diagnostics::nearest(peek().text, words);
-    const auto* const keyword = std::find(keywords.begin(), keywords.end(), meant);
+    const auto* const keyword = std::ranges::find(keywords, meant);
     if (keyword == keywords.end()) return false;
     const bool certain = diagnostics::is_certain(peek().text, meant, words);
     diagnostics::Diagnostic* const finding =
@@ -390,7 +390,7 @@ bool Parser::correct_word(std::initializer_list<std::string_view> keywords) {
 
 void Parser::wrong_word(std::string_view what, std::initializer_list<ForeignPlace> places) {
     const bool replaced = state_machine_words() || typed_like_c() ||
-                          std::any_of(places.begin(), places.end(), [&](ForeignPlace p) { return replace_foreign(p); });
+                          std::ranges::any_of(places, [&](ForeignPlace p) { return replace_foreign(p); });
     if (replaced) {
         corrected_ = true;
         throw SyntaxError{};

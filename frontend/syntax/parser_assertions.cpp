@@ -21,7 +21,7 @@ bool Parser::at_kept_part() const {
         if (peek(1).kind == TokenKind::identifier && at_word("as", ahead)) return true;
     }
     constexpr std::array<std::string_view, 5> words = {"label", "formula", "rewards", "defs", "pmodules"};
-    const bool known = std::any_of(words.begin(), words.end(), [&](std::string_view word) { return at_word(word); });
+    const bool known = std::ranges::any_of(words, [&](std::string_view word) { return at_word(word); });
     return known && peek().first_on_line && peek(1).kind == TokenKind::string;
 }
 

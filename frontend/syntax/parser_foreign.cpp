@@ -23,7 +23,7 @@ std::string_view type_named(std::string_view word) {
 /// True for a type of package core, or another notation's name of one.
 bool Parser::names_core_type(std::string_view word) {
     constexpr std::array<std::string_view, 5> core = {"int", "nat", "real", "boolean", "string"};
-    return std::find(core.begin(), core.end(), word) != core.end() || foreign_word(word, ForeignPlace::type) != nullptr;
+    return std::ranges::find(core, word) != core.end() || foreign_word(word, ForeignPlace::type) != nullptr;
 }
 
 bool Parser::replace_foreign(ForeignPlace place) {
@@ -421,13 +421,13 @@ bool Parser::body_left_out() {
 void Parser::prism_query() {
     constexpr std::array<std::string_view, 6> words = {"P", "Pmin", "Pmax", "R", "Rmin", "Rmax"};
     const Token word = peek();
-    if (word.kind != TokenKind::identifier || std::find(words.begin(), words.end(), word.text) == words.end()) return;
+    if (word.kind != TokenKind::identifier || std::ranges::find(words, word.text) == words.end()) return;
     std::size_t next = 1;
     if (word.text.starts_with("R") && peek(next).is("{") && peek(next + 2).is("}")) next += 3;
     const bool asks = peek(next).is("=") && peek(next + 1).is("?");
     constexpr std::array<std::string_view, 4> bounds = {"<=", ">=", "<", ">"};
     const bool compares =
-        std::any_of(bounds.begin(), bounds.end(), [&](std::string_view relation) { return peek(next).is(relation); }) &&
+        std::ranges::any_of(bounds, [&](std::string_view relation) { return peek(next).is(relation); }) &&
         peek(next + 2).is("[");
     if (!asks && !compares) return;
     const std::size_t bracket = next + 2;
@@ -466,7 +466,7 @@ std::string Parser::prism_path(std::size_t begin, std::size_t end) const {
         const Token token = peek(i);
         result += text.substr(peek(i - 1).span.end, token.span.begin - peek(i - 1).span.end);
         const auto* const word =
-            std::find_if(words.begin(), words.end(), [&](const auto& each) { return each.first == token.text; });
+            std::ranges::find_if(words, [&](const auto& each) { return each.first == token.text; });
         result += word != words.end() ? word->second : text.substr(token.span.begin, token.span.end - token.span.begin);
     }
     return result.append(text.substr(peek(end - 1).span.end, peek(end).span.begin - peek(end - 1).span.end));

@@ -45,8 +45,7 @@ constexpr std::array<std::string_view, 4> methods = {"CI", "ACI", "APMC", "SPRT"
 /// True at `prob …` or at the first word of a definition, but not at `with constants` or `#label`.
 bool Parser::at_probabilistic_part() const {
     if (at_word("prob")) return at_word("property", 1) || at_word("generate", 1);
-    const auto* form = std::find_if(definition_words.begin(), definition_words.end(),
-                                    [&](const auto& each) { return at_word(each.first); });
+    const auto* form = std::ranges::find_if(definition_words, [&](const auto& each) { return at_word(each.first); });
     if (form == definition_words.end() || peek(1).kind != TokenKind::identifier) return false;
     return peek(2).is(form->second) || peek().first_on_line;
 }
@@ -158,8 +157,7 @@ void Parser::probabilistic_definition(File& file) {
     ProbabilisticDefinition& definition = file.probabilistic_definitions.emplace_back();
     const std::size_t before = failures_;
     definition.broken = true;
-    const auto* form = std::find_if(definition_words.begin(), definition_words.end(),
-                                    [&](const auto& each) { return at_word(each.first); });
+    const auto* form = std::ranges::find_if(definition_words, [&](const auto& each) { return at_word(each.first); });
     definition.kind = static_cast<ProbabilisticKind>(form - definition_words.begin());
     const Span begin = advance().span;
     definition.span = begin;
@@ -407,7 +405,7 @@ void Parser::step_bound(Expr& path) {
     path.args.emplace_back();
     if (at("[")) {
         path.args.back() = closed_range();
-    } else if (std::any_of(relations.begin(), relations.end(), [&](std::string_view word) { return at(word); })) {
+    } else if (std::ranges::any_of(relations, [&](std::string_view word) { return at(word); })) {
         path.text = std::string(advance().text);
         path.args.back() = atom();
     }
@@ -422,7 +420,7 @@ ExprPtr Parser::quantitative(ExprKind kind) {
         expect("}");
     }
     ExprPtr bound;
-    if (std::any_of(relations.begin(), relations.end(), [&](std::string_view word) { return at(word); })) {
+    if (std::ranges::any_of(relations, [&](std::string_view word) { return at(word); })) {
         result->text = std::string(advance().text);
         bound = operand(plus_level);
     } else {
@@ -464,8 +462,7 @@ ExprPtr Parser::simulation() {
     ExprPtr result = make(ExprKind::simulation);
     const Span begin = result->span;
     for (const std::string_view word : {"using", "sim", "with"}) expect_word(word);
-    const auto method =
-        std::find_if(methods.begin(), methods.end(), [&](std::string_view word) { return at_word(word); });
+    const auto method = std::ranges::find_if(methods, [&](std::string_view word) { return at_word(word); });
     if (method == methods.end()) expected("`CI`, `ACI`, `APMC` or `SPRT`");
     result->text = std::string(advance().text);
     expect_word("at");

@@ -56,7 +56,7 @@ bool Parser::at_statement() const {
     if (at("skip") || at("if") || at("wait") || at("send") || at("#")) return true;
     if (peek().kind != TokenKind::identifier) return false;
     const Token next = peek(1);
-    const bool fits = std::any_of(after_name.begin(), after_name.end(), [&](std::string_view w) { return next.is(w); });
+    const bool fits = std::ranges::any_of(after_name, [&](std::string_view w) { return next.is(w); });
     return fits || (next.kind == TokenKind::keyword && next.first_on_line);
 }
 
@@ -162,8 +162,8 @@ std::optional<std::size_t> Parser::behind_brackets(std::size_t ahead) const {
     do {
         const Token& token = peek(ahead++);
         const auto here = [&](std::string_view word) { return token.is(word); };
-        if (std::any_of(opening.begin(), opening.end(), here)) ++open;
-        if (std::any_of(closing.begin(), closing.end(), here)) --open;
+        if (std::ranges::any_of(opening, here)) ++open;
+        if (std::ranges::any_of(closing, here)) --open;
         const bool new_member = token.first_on_line && (token.is("transition") || token.is("state"));
         if (token.kind == TokenKind::end || new_member) return std::nullopt;
     } while (open > 0);

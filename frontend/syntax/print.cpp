@@ -120,7 +120,7 @@ std::string binder(const Expr& expr) {
 std::string written_value(const QualifiedName& name) {
     constexpr std::array<std::string_view, 10> words = {"Exists", "Finally", "Forall", "Globally", "Next",
                                                         "Prob",   "Release", "Reward", "Until",    "Weak"};
-    const bool escaped = !name.empty() && std::find(words.begin(), words.end(), name.parts.front()) != words.end();
+    const bool escaped = !name.empty() && std::ranges::find(words, name.parts.front()) != words.end();
     return (escaped ? "^" : "") + written_name(name);
 }
 

@@ -14,8 +14,8 @@ namespace {
 /// Core is always visible; other toolkits are visible in files that import them.
 bool imports(const File& file, std::string_view package) {
     if (package == core_package) return true;
-    return std::any_of(file.imports.begin(), file.imports.end(),
-                       [&](const Import& import) { return import.name.parts.front() == package; });
+    return std::ranges::any_of(file.imports,
+                               [&](const Import& import) { return import.name.parts.front() == package; });
 }
 
 /// The source of a toolkit, added once.
@@ -47,8 +47,8 @@ void add_toolkits(diagnostics::SourceManager& sources, Model& model, diagnostics
     for (std::size_t i = 0; i < model.files.size(); ++i)
         for (const Toolkit& toolkit : toolkits()) {
             if (!imports(*model.files[i], toolkit.package) || !added.insert(toolkit.package).second) continue;
-            const auto kept = std::find_if(had.begin(), had.end(),
-                                           [&](const auto& f) { return f && f->package.text() == toolkit.package; });
+            const auto kept =
+                std::ranges::find_if(had, [&](const auto& f) { return f && f->package.text() == toolkit.package; });
             model.files.push_back(kept != had.end() ? std::move(*kept)
                                                     : parse(sources, text_of(toolkit, sources), false, out));
             model.files.back()->is_library = true;

@@ -73,7 +73,7 @@ TypePtr Typer::apply(Expr& expr, const TypePtr& function, const std::vector<Type
     }
     const TypePtr formal = is_function ? function->args[0] : make_type(TypeForm::nat);
     const TypePtr actual = make_type(TypeForm::product, args);
-    const bool typed = std::all_of(args.begin(), args.end(), [](const TypePtr& arg) { return arg != nullptr; });
+    const bool typed = std::ranges::all_of(args, [](const TypePtr& arg) { return arg != nullptr; });
     TypeBindings bindings;
     if (typed && !match(formal, actual, bindings))
         finder_.out().report(rules::function_type, expr.span, {"list", name, to_string(formal), to_string(actual)});
@@ -153,8 +153,8 @@ TypePtr Typer::record(Expr& expr, Surroundings& around) {
     if (declaration == nullptr) return nullptr;
     for (const Binding& binding : expr.bindings) {
         const auto& fields = declaration->fields;
-        const auto found = std::find_if(fields.begin(), fields.end(),
-                                        [&](const VariablePtr& f) { return f->name == binding.variable->name; });
+        const auto found =
+            std::ranges::find_if(fields, [&](const VariablePtr& f) { return f->name == binding.variable->name; });
         if (found == fields.end()) {
             finder_.out().report(rules::no_field, binding.variable->name_span,
                                  {declaration->name, binding.variable->name});
@@ -165,8 +165,7 @@ TypePtr Typer::record(Expr& expr, Surroundings& around) {
     }
     std::vector<std::string> missing;
     for (const VariablePtr& field : declaration->fields)
-        if (std::none_of(expr.bindings.begin(), expr.bindings.end(),
-                         [&](const Binding& b) { return b.variable->name == field->name; }))
+        if (std::ranges::none_of(expr.bindings, [&](const Binding& b) { return b.variable->name == field->name; }))
             missing.push_back("`" + field->name + "`");
     if (!missing.empty())
         finder_.out().report(rules::field_missing, expr.span,

@@ -311,7 +311,7 @@ private:
         const auto first = [&](const Declaration* each) { return each->name == context_.value.front(); };
         if (scope_ == nullptr) return;
         const auto members = members_of(*scope_);
-        const auto found = std::find_if(members.begin(), members.end(), first);
+        const auto found = std::ranges::find_if(members, first);
         if (found == members.end()) return;
         if ((*found)->kind == DeclKind::event) return expression();
         const auto* variable = dynamic_cast<const Variable*>(*found);

@@ -17,7 +17,7 @@ using Tokens = std::deque<Token>;
 
 bool among(const Token& token, std::initializer_list<std::string_view> words) {
     return (token.kind == TokenKind::keyword || token.kind == TokenKind::symbol) &&
-           std::find(words.begin(), words.end(), token.text) != words.end();
+           std::ranges::find(words, token.text) != words.end();
 }
 
 bool is_name(const Token& token) {
@@ -300,7 +300,7 @@ private:
 
     [[nodiscard]] bool word(const Token& token, std::initializer_list<std::string_view> words) const {
         const bool any_word = token.kind == TokenKind::identifier || token.kind == TokenKind::keyword;
-        return any_word && !token.escaped && std::find(words.begin(), words.end(), token.text) != words.end();
+        return any_word && !token.escaped && std::ranges::find(words, token.text) != words.end();
     }
 
     [[nodiscard]] Wanted in_assertions(std::size_t end) const {

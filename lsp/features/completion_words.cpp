@@ -30,7 +30,7 @@ Words joined(std::initializer_list<Words> lists) {
 }
 
 Words clauses_after(std::string_view last) {
-    const auto found = std::find(clause_words.begin(), clause_words.end(), last);
+    const auto found = std::ranges::find(clause_words, last);
     if (found == clause_words.end()) return {"from"};
     if (last == "from") return {"to"};
     auto next = found + 1;

@@ -32,7 +32,7 @@ std::string_view text_of(Project& project, Span span) {
 
 bool is_declared_here(Project& project, const Occurrence& name) {
     const auto all = same_name(project, name);
-    return std::any_of(all.begin(), all.end(), [](const Occurrence* each) { return each->declares; });
+    return std::ranges::any_of(all, [](const Occurrence* each) { return each->declares; });
 }
 
 /// The name to rename; throws a refusal if it cannot be renamed.
@@ -63,7 +63,7 @@ const Occurrence& renamable(const Target& target) {
 /// The name as it must be written in a file: with `^` if it would be read as a keyword.
 std::string written(const std::string& name, bool is_assertions) {
     const auto& words = frontend::assertion_words();
-    const bool word = is_assertions && std::find(words.begin(), words.end(), name) != words.end();
+    const bool word = is_assertions && std::ranges::find(words, name) != words.end();
     const bool collection = name == "Set" || name == "Seq";
     return word || collection || frontend::is_reserved(name) ? "^" + name : name;
 }
@@ -75,7 +75,7 @@ std::string checked(const std::string& wish) {
     const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
     const auto digit = [](char c) { return c >= '0' && c <= '9'; };
     const bool good = !name.empty() && letter(name.front()) &&
-                      std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || digit(c); });
+                      std::ranges::all_of(name, [&](char c) { return letter(c) || digit(c); });
     if (!good) refuse(fmt::format("`{}` is no name: letters, digits and `_`, not beginning with a digit", wish));
     if (!escaped && frontend::is_reserved(name))
         refuse(fmt::format("`{}` is a reserved word; `^{}` would be the name", name, name));

@@ -36,8 +36,8 @@ std::vector<const Declaration*> inner(const Declaration& declaration) {
         add_all(list, container->nodes);
         add_all(list, container->transitions);
     }
-    std::sort(list.begin(), list.end(),
-              [](const Declaration* a, const Declaration* b) { return a->name_span.begin < b->name_span.begin; });
+    std::ranges::sort(
+        list, [](const Declaration* a, const Declaration* b) { return a->name_span.begin < b->name_span.begin; });
     std::erase_if(list, [](const Declaration* each) { return each->name.empty() || !each->name_span.known(); });
     return list;
 }

@@ -37,7 +37,7 @@ constexpr int unnecessary_tag = 1;  // DiagnosticTag.Unnecessary
 /// RC-W…).
 bool is_unneeded(std::string_view code) {
     constexpr std::array<std::string_view, 5> codes = {"RC-W03", "RC-W04", "RC-W07", "RC-W08", "RC-W14"};
-    return std::find(codes.begin(), codes.end(), code) != codes.end();
+    return std::ranges::find(codes, code) != codes.end();
 }
 
 Json related(const Diagnostic& finding, const Locate& locate) {

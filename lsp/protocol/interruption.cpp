@@ -15,7 +15,7 @@ bool changes_texts(const std::string& method) {
     constexpr std::array<std::string_view, 5> methods = {"textDocument/didOpen", "textDocument/didChange",
                                                          "textDocument/didClose", "workspace/didChangeWatchedFiles",
                                                          "workspace/didChangeWorkspaceFolders"};
-    return std::find(methods.begin(), methods.end(), method) != methods.end();
+    return std::ranges::find(methods, method) != methods.end();
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ void Interruption::handled(View message) {
     const std::lock_guard lock(mutex_);
     const std::string& method = message["method"].text();
     if (method == "$/cancelRequest") {
-        const auto found = std::find(cancelled_.begin(), cancelled_.end(), message["params"]["id"].json());
+        const auto found = std::ranges::find(cancelled_, message["params"]["id"].json());
         if (found != cancelled_.end()) cancelled_.erase(found);
     }
     if (changes_texts(method)) ++handled_;
@@ -77,7 +77,7 @@ bool Interruption::is_cancelled(const Json& id) const {
 }
 
 bool Interruption::holds_cancelled(const Json& id) const {
-    return std::find(cancelled_.begin(), cancelled_.end(), id) != cancelled_.end();
+    return std::ranges::find(cancelled_, id) != cancelled_.end();
 }
 
 }  // namespace robochart::lsp

@@ -26,7 +26,7 @@ struct Copy {
 
 std::string edited(std::string_view text, SourceId source, std::vector<Edit> edits) {
     std::erase_if(edits, [&](const Edit& edit) { return edit.span.source != source; });
-    std::sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) { return a.span.begin < b.span.begin; });
+    std::ranges::sort(edits, [](const Edit& a, const Edit& b) { return a.span.begin < b.span.begin; });
     std::string out;
     std::size_t at = 0;
     for (const Edit& edit : edits) {

@@ -54,7 +54,7 @@ private:
         return before_.size() < back ? std::string_view() : before_[before_.size() - back].text;
     }
     [[nodiscard]] bool is(std::size_t back, std::initializer_list<std::string_view> words) const {
-        return std::find(words.begin(), words.end(), word(back)) != words.end();
+        return std::ranges::find(words, word(back)) != words.end();
     }
 
     void add(std::string_view label, int kind) {

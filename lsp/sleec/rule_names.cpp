@@ -71,14 +71,14 @@ public:
     bool in(const ExprPtr& expr) {
         if (!expr) return false;
         return (expr->op == sleec::Op::name && expr->text == name_) ||
-               std::any_of(expr->parts.begin(), expr->parts.end(), [&](const ExprPtr& each) { return in(each); });
+               std::ranges::any_of(expr->parts, [&](const ExprPtr& each) { return in(each); });
     }
     bool in(const ResponsePtr& response) {
         if (!response) return false;
         if (response->event.text == name_ || in(response->otherwise)) return true;
         if (response->limit && (in(response->limit->from) || in(response->limit->to))) return true;
-        return std::any_of(response->defeaters.begin(), response->defeaters.end(),
-                           [&](const sleec::Defeater& each) { return in(each.condition) || in(each.response); });
+        return std::ranges::any_of(
+            response->defeaters, [&](const sleec::Defeater& each) { return in(each.condition) || in(each.response); });
     }
 
 private:

@@ -36,7 +36,7 @@ Document* Project::find(SourceId source) {
 }
 
 bool Project::has_open() const {
-    return std::any_of(documents_.begin(), documents_.end(), [](const auto& entry) { return entry.second->open; });
+    return std::ranges::any_of(documents_, [](const auto& entry) { return entry.second->open; });
 }
 
 Document& Project::add(const std::string& path) {
@@ -111,14 +111,13 @@ void Project::parse(Document& document) {
     document.findings.within(budget_);
     auto tree = frontend::parse(sources_, document.source, document.is_assertions, document.findings);
     frontend::File* made = tree.get();
-    const auto old = std::find_if(model_.files.begin(), model_.files.end(),
-                                  [&](const auto& file) { return file.get() == document.tree; });
+    const auto old = std::ranges::find_if(model_.files, [&](const auto& file) { return file.get() == document.tree; });
     if (old != model_.files.end()) {
         resolution_.replace(*old, std::move(tree));
         made = old->get();
     } else {
         resolution_.forget();
-        const auto behind = std::find_if(model_.files.begin(), model_.files.end(), [&](const auto& file) {
+        const auto behind = std::ranges::find_if(model_.files, [&](const auto& file) {
             return file->is_library || fs::path(sources_.path(file->source)) > fs::path(document.path);
         });
         model_.files.insert(behind, std::move(tree));

@@ -40,20 +40,19 @@ void add_with_literals(std::vector<const Declaration*>& list, const Declaration&
 }
 
 bool imports_all(const File& file, const std::string& package) {
-    return std::any_of(file.imports.begin(), file.imports.end(),
-                       [&](const Import& import) { return import.wildcard && import.name.text() == package; });
+    return std::ranges::any_of(file.imports,
+                               [&](const Import& import) { return import.wildcard && import.name.text() == package; });
 }
 
 bool imports_one(const File& file, const std::string& full_name) {
-    return std::any_of(file.imports.begin(), file.imports.end(),
-                       [&](const Import& import) { return !import.wildcard && import.name.text() == full_name; });
+    return std::ranges::any_of(
+        file.imports, [&](const Import& import) { return !import.wildcard && import.name.text() == full_name; });
 }
 
 /// The declaration `A::B` after a package name of `first` parts; null if there is none.
 const Declaration* along(const std::vector<const Declaration*>& start, const std::vector<std::string>& path,
                          std::size_t first) {
-    const auto found =
-        std::find_if(start.begin(), start.end(), [&](const Declaration* each) { return each->name == path[first]; });
+    const auto found = std::ranges::find_if(start, [&](const Declaration* each) { return each->name == path[first]; });
     const Declaration* at = found != start.end() ? *found : nullptr;
     for (std::size_t i = first + 1; i < path.size() && at != nullptr; ++i) at = member_of(*at, path[i]);
     return at;

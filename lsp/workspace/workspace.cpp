@@ -30,7 +30,7 @@ std::string plain_folder(const std::string& path) {
 
 void Workspace::add_folder(const std::string& path) {
     const std::string folder = plain_folder(path);
-    if (std::find(folders_.begin(), folders_.end(), folder) != folders_.end()) return;
+    if (std::ranges::find(folders_, folder) != folders_.end()) return;
     folders_.push_back(folder);
     rebuild();
 }
@@ -126,9 +126,9 @@ void Workspace::refresh(const std::string& uri) {
     const std::string extension = fs::path(path).extension().string();
     if (extension != ".rct" && extension != ".assertions") return;
     const std::string root = root_of(path);
-    const bool wanted = !folder_around(path).empty() ||
-                        std::any_of(projects_.begin(), projects_.end(),
-                                    [&](const auto& project) { return project->folder() == root && !root.empty(); });
+    const bool wanted = !folder_around(path).empty() || std::ranges::any_of(projects_, [&](const auto& project) {
+        return project->folder() == root && !root.empty();
+    });
     if (wanted) project_at(root).refresh(path);
 }
 

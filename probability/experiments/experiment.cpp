@@ -90,8 +90,8 @@ private:
         prism::Constant constant;
         if (setting.path.empty()) {
             const auto own = [&](const prism::Constant& each) { return each.name.text == setting.constant; };
-            const auto in_model = std::find_if(question_.model_constants.begin(), question_.model_constants.end(), own);
-            const auto in_property = std::find_if(question_.constants.begin(), question_.constants.end(), own);
+            const auto in_model = std::ranges::find_if(question_.model_constants, own);
+            const auto in_property = std::ranges::find_if(question_.constants, own);
             given.of_model = in_model != question_.model_constants.end();
             if (!given.of_model && in_property == question_.constants.end()) return;  // the constant is not used
             constant = given.of_model ? *in_model : *in_property;

@@ -184,20 +184,19 @@ private:
             }
             const std::uint32_t action = what.tock ? 1 : this->action(happening(state, step.target));
             Choice one{action, what.tock, what.waits, {{step.target, 1}}};
-            if (std::find(result.begin(), result.end(), one) == result.end()) result.push_back(std::move(one));
+            if (std::ranges::find(result, one) == result.end()) result.push_back(std::move(one));
         }
         for (const auto& [junction, steps] : draws) result.push_back(drawn(state, junction.first, steps));
         if (scheduler_ != Scheduler::urgent) return result;
         const auto free = [](const Choice& each) { return !each.tock && !each.waits; };
-        if (std::any_of(result.begin(), result.end(), free))
-            std::erase_if(result, [&](const Choice& each) { return !free(each); });
+        if (std::ranges::any_of(result, free)) std::erase_if(result, [&](const Choice& each) { return !free(each); });
         return result;
     }
 
     /// The probabilistic choice at a junction.
     Choice drawn(lts::StateIndex state, const std::string& component, const std::vector<const Step*>& ways) {
-        const auto seat = std::find_if(sources_.seats.begin(), sources_.seats.end(),
-                                       [&](const Seat& each) { return each.component == component; });
+        const auto seat =
+            std::ranges::find_if(sources_.seats, [&](const Seat& each) { return each.component == component; });
         if (seat == sources_.seats.end()) throw Wrong(fmt::format("no machine is known at {}", component));
         const std::vector<std::size_t> parts = reader_.parts(explored_.state(state));
         const ValueOf value_of = [&](const std::string& name) {
@@ -218,8 +217,8 @@ private:
             const Rational weight = weights_.of(draw, *seat, value_of);
             sum += weight;
             if (weight == 0) continue;
-            const auto same = std::find_if(result.branches.begin(), result.branches.end(),
-                                           [&](const auto& branch) { return branch.first == way->target; });
+            const auto same =
+                std::ranges::find_if(result.branches, [&](const auto& branch) { return branch.first == way->target; });
             if (same != result.branches.end())
                 same->second += weight;
             else
@@ -228,7 +227,7 @@ private:
         if (sum != 1)
             throw Wrong(fmt::format("the probabilities at {} sum to {}", kind(*ways.front()).meaning->draw->junction,
                                     sum.str()));
-        std::sort(result.branches.begin(), result.branches.end());
+        std::ranges::sort(result.branches);
         return result;
     }
 
@@ -274,7 +273,7 @@ private:
 
     void finish(std::uint32_t action, bool tock, std::vector<std::pair<markov::State, std::uint32_t>> branches) {
         markov::Model& model = result_.model;
-        std::sort(branches.begin(), branches.end());
+        std::ranges::sort(branches);
         for (const auto& [target, number] : branches) {
             model.target.push_back(target);
             model.number.push_back(number);

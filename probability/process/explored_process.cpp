@@ -16,8 +16,8 @@ namespace robochart::probability {
 namespace {
 
 const cspm::ExprPtr& component_process(const csp_emit::Emission& emission, const std::string& path) {
-    const auto found = std::find_if(emission.components.begin(), emission.components.end(),
-                                    [&](const csp_emit::ComponentProcesses& each) { return each.path == path; });
+    const auto found = std::ranges::find_if(
+        emission.components, [&](const csp_emit::ComponentProcesses& each) { return each.path == path; });
     if (found == emission.components.end()) throw Wrong(fmt::format("{} has no process of its own", path));
     return found->process;
 }

@@ -107,14 +107,13 @@ private:
                     found.push_back(bits_[step.target]);
                 }
         if (found.size() == 1) throw Wrong("no time can pass in it");
-        std::sort(found.begin(), found.end());
+        std::ranges::sort(found);
         found.erase(std::unique(found.begin(), found.end()), found.end());
         result_.classes = std::move(found);
     }
 
     [[nodiscard]] std::size_t place(std::uint32_t bits) const {
-        return static_cast<std::size_t>(std::lower_bound(result_.classes.begin(), result_.classes.end(), bits) -
-                                        result_.classes.begin());
+        return static_cast<std::size_t>(std::ranges::lower_bound(result_.classes, bits) - result_.classes.begin());
     }
 
     /// The states after a time unit whose class, before or after the step, is this one.
@@ -186,8 +185,7 @@ private:
 bool is_whole(const ir::System& system, ir::TypeId id) {
     const ir::Type& type = system.type(id);
     if (type.kind == ir::TypeKind::enumeration)
-        return std::all_of(type.literal_args.begin(), type.literal_args.end(),
-                           [](const auto& arguments) { return arguments.empty(); });
+        return std::ranges::all_of(type.literal_args, [](const auto& arguments) { return arguments.empty(); });
     return type.kind == ir::TypeKind::boolean || type.kind == ir::TypeKind::unit;
 }
 
@@ -223,8 +221,7 @@ Following following(const ExploredProcess& process, const ir::System& system, co
     std::vector<std::string> elements;
     for (const std::string& state : states) {
         const auto& nodes = seats.front().machine->nodes;
-        const auto found =
-            std::find_if(nodes.begin(), nodes.end(), [&](const auto& each) { return each.path == state; });
+        const auto found = std::ranges::find_if(nodes, [&](const auto& each) { return each.path == state; });
         if (found == nodes.end()) throw Wrong(fmt::format("the machine has no state {}", state));
         elements.push_back(found->origin.element);
     }

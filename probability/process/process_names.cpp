@@ -36,8 +36,7 @@ ExprPtr named(const std::string& name) {
 /// True if values of the type are numbers in PRISM.
 bool is_number(const ir::System& system, ir::TypeId id) {
     const ir::Type& type = system.type(id);
-    const bool plain = std::all_of(type.literal_args.begin(), type.literal_args.end(),
-                                   [](const auto& arguments) { return arguments.empty(); });
+    const bool plain = std::ranges::all_of(type.literal_args, [](const auto& arguments) { return arguments.empty(); });
     return type.kind == ir::TypeKind::nat || type.kind == ir::TypeKind::integer || type.kind == ir::TypeKind::real ||
            (type.kind == ir::TypeKind::enumeration && plain);
 }
@@ -48,14 +47,13 @@ ProcessNames::ProcessNames(const ir::System& system, const ir::ComponentRef& sub
     : system_(system), subject_(subject), seats_(seats_in(system, subject)) {}
 
 const Seat* ProcessNames::seat(const std::string& path) const {
-    const auto found = std::find_if(seats_.begin(), seats_.end(), [&](const Seat& each) { return each.path == path; });
+    const auto found = std::ranges::find_if(seats_, [&](const Seat& each) { return each.path == path; });
     return found == seats_.end() ? nullptr : &*found;
 }
 
 bool ProcessNames::taken(const std::string& name) const {
-    return name == units ||
-           std::any_of(observables_.begin(), observables_.end(), [&](const auto& each) { return each.name == name; }) ||
-           std::any_of(constants_.begin(), constants_.end(), [&](const auto& each) { return each.name == name; });
+    return name == units || std::ranges::any_of(observables_, [&](const auto& each) { return each.name == name; }) ||
+           std::ranges::any_of(constants_, [&](const auto& each) { return each.name == name; });
 }
 
 std::string ProcessNames::free_name(const std::string& path) const {
@@ -79,8 +77,7 @@ ExprPtr ProcessNames::variable(const std::string& path) {
     const Seat* const where = seat(owner_of(path));
     if (where == nullptr) return shared_variable(path, name);
     const auto& variables = where->machine->variables;
-    const auto found =
-        std::find_if(variables.begin(), variables.end(), [&](const ir::Variable& each) { return each.name == name; });
+    const auto found = std::ranges::find_if(variables, [&](const ir::Variable& each) { return each.name == name; });
     if (found == variables.end()) absent("variable", path);
     const bool boolean = system_.type(found->type).kind == ir::TypeKind::boolean;
     if (!boolean && !is_number(system_, found->type))
@@ -149,8 +146,7 @@ std::size_t ProcessNames::observed_event(const std::string& path, const std::str
     std::string component;
     bool inwards = direction == "in";
     const auto look = [&](const std::vector<ir::Event>& events, const std::string& of) {
-        const auto found =
-            std::find_if(events.begin(), events.end(), [&](const auto& each) { return each.name == name; });
+        const auto found = std::ranges::find_if(events, [&](const auto& each) { return each.name == name; });
         if (found == events.end()) return;
         event = &*found;
         component = of;

@@ -14,11 +14,10 @@ namespace robochart::probability {
 using csp_emit::ParameterKind;
 
 bool Part::in_state(const std::string& machine, const std::string& element) const {
-    return std::any_of(calls.begin(), calls.end(), [&](const runs::Call& call) {
+    return std::ranges::any_of(calls, [&](const runs::Call& call) {
         const auto& active = call.definition->active;
         return call.definition->component == machine &&
-               std::any_of(active.begin(), active.end(),
-                           [&](const ir::Origin& state) { return state.element == element; });
+               std::ranges::any_of(active, [&](const ir::Origin& state) { return state.element == element; });
     });
 }
 
@@ -116,7 +115,7 @@ std::optional<std::int64_t> number_of(const ir::System& system, const ir::Instan
         }
         case ir::TypeKind::enumeration: {
             const std::string literal = runs::value_text(system, instantiation, held.type, held.text);
-            const auto found = std::find(type.labels.begin(), type.labels.end(), literal);
+            const auto found = std::ranges::find(type.labels, literal);
             return found == type.labels.end() ? std::nullopt : std::optional<std::int64_t>(found - type.labels.begin());
         }
         default:

@@ -25,7 +25,7 @@ std::set<SharedChoice> choices_of(const DecisionProcess& process, markov::State 
         SharedChoice one{model.actions[model.action[choice]], model.counted[choice], {}};
         for (std::uint64_t branch = model.first_branch[choice]; branch < model.first_branch[choice + 1]; ++branch)
             one.branches.emplace_back(process.origins[model.target[branch]], model.exact[model.number[branch]]);
-        std::sort(one.branches.begin(), one.branches.end());
+        std::ranges::sort(one.branches);
         result.insert(std::move(one));
     }
     return result;
@@ -46,7 +46,7 @@ bool is_subgraph(const DecisionProcess& fewer, const DecisionProcess& all, const
         if (there == state_of.end() || fewer.deadlocks[state] != all.deadlocks[there->second]) return false;
         const std::set<SharedChoice> some = choices_of(fewer, state);
         const std::set<SharedChoice> every = choices_of(all, there->second);
-        if (some.empty() || !std::includes(every.begin(), every.end(), some.begin(), some.end())) return false;
+        if (some.empty() || !std::ranges::includes(every, some)) return false;
     }
     return true;
 }

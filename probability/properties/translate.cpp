@@ -113,8 +113,7 @@ public:
     }
     /// True if the constant is one of an assertion file.
     [[nodiscard]] bool defines(const ast::Declaration* constant) const {
-        return std::any_of(found_.begin(), found_.end(),
-                           [&](const auto* each) { return each->constant.get() == constant; });
+        return std::ranges::any_of(found_, [&](const auto* each) { return each->constant.get() == constant; });
     }
 
 private:
@@ -335,10 +334,10 @@ ExprPtr Translator::constant(const ast::Expr& expr) {
     const auto same = [&](const prism::Constant& each) { return each.name.text == made.name.text; };
     auto& model = question_.model_constants;
     auto& own = question_.constants;
-    if (std::none_of(model.begin(), model.end(), same)) {
+    if (std::ranges::none_of(model, same)) {
         if (in_model_) std::erase_if(own, same);
         auto& list = in_model_ ? model : own;
-        if (std::none_of(list.begin(), list.end(), same)) list.push_back(made);
+        if (std::ranges::none_of(list, same)) list.push_back(made);
     }
     return node(expr, Op::name, {}, made.name.text);
 }
@@ -490,8 +489,8 @@ void Translator::simulate(const ast::Expr& simulation) {
         {"SPRT", {{"delta", "width"}, {"alpha", "confidence"}, {"pathlen", "path"}}}};
     const Names& names = parameters.at(simulation.text);
     Sampling sampling{simulation.text, {}};
-    std::transform(sampling.method.begin(), sampling.method.end(), sampling.method.begin(),
-                   [](char letter) { return static_cast<char>(letter - 'A' + 'a'); });
+    std::ranges::transform(sampling.method, sampling.method.begin(),
+                           [](char letter) { return static_cast<char>(letter - 'A' + 'a'); });
     std::set<std::string> given;
     for (const ast::Binding& each : simulation.bindings) {
         const std::string& name = each.variable->name;
@@ -544,7 +543,7 @@ std::vector<std::string> Translator::values(const ast::Expr& value) {
 
 void Translator::rewards(const ProbabilisticDefinition& definition) {
     const auto same = [&](const auto& each) { return each.name.text == definition.name; };
-    if (std::any_of(question_.rewards.begin(), question_.rewards.end(), same)) return;
+    if (std::ranges::any_of(question_.rewards, same)) return;
     prism::RewardStructure made{{definition.name, definition.name_span}, {}};
     const bool before = std::exchange(in_model_, true);
     for (const ast::RewardItem& each : definition.rewards) {
@@ -620,7 +619,7 @@ public:
 
     void note(const std::string& path) {
         const std::string first = path.substr(0, path.find("::"));
-        if (std::find(found.begin(), found.end(), first) == found.end()) found.push_back(first);
+        if (std::ranges::find(found, first) == found.end()) found.push_back(first);
     }
     std::vector<std::string> found;
 
@@ -659,9 +658,8 @@ Beginning beginning(const Assertions& all, const ast::File& file, const ast::Qua
 namespace {
 
 bool has_simulation(const ast::Expr& expr) {
-    return expr.kind == ExprKind::simulation || std::any_of(expr.args.begin(), expr.args.end(), [](const auto& part) {
-               return part && has_simulation(*part);
-           });
+    return expr.kind == ExprKind::simulation ||
+           std::ranges::any_of(expr.args, [](const auto& part) { return part && has_simulation(*part); });
 }
 
 }  // namespace

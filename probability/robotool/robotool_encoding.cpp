@@ -148,7 +148,7 @@ prism::Constant RoboToolEncoding::constant(const std::string& path) {
     const std::string& name = names_->constant_name(path);
     const auto& all = emission_.model.constants;
     prism::Constant found =
-        *std::find_if(all.begin(), all.end(), [&](const prism::Constant& each) { return each.name.text == name; });
+        *std::ranges::find_if(all, [&](const prism::Constant& each) { return each.name.text == name; });
     found.value = nullptr;
     return found;
 }
@@ -225,7 +225,7 @@ prism::Values RoboToolEncoding::all_values(const prism::ModelFile& model, const 
         std::string element = name;
         for (const prism_emit::NameOf& each : emission_.names)
             if (each.kind == "constant" && each.name == name) element = each.element;
-        const auto meant = std::find_if(options_.constants.begin(), options_.constants.end(), [&](const auto& option) {
+        const auto meant = std::ranges::find_if(options_.constants, [&](const auto& option) {
             return element == option.first || element.ends_with("::" + option.first);
         });
         if (meant == options_.constants.end())

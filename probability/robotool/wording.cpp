@@ -23,8 +23,8 @@ std::string last_of(const std::string& element) {
 
 /// The value of a constant that is defined as a number.
 std::optional<std::int32_t> value_of(const prism::ModelFile& model, const std::string& name) {
-    const auto found = std::find_if(model.constants.begin(), model.constants.end(),
-                                    [&](const prism::Constant& each) { return each.name.text == name; });
+    const auto found =
+        std::ranges::find_if(model.constants, [&](const prism::Constant& each) { return each.name.text == name; });
     if (found == model.constants.end() || !found->value || found->value->op != prism::Op::integer) return std::nullopt;
     const std::string& digits = found->value->text;
     std::int32_t value = 0;

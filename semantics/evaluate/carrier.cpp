@@ -96,7 +96,7 @@ Values Carriers::sequences(TypeId element) {
         all.insert(all.end(), more.begin(), more.end());
         check(all.size());
     }
-    std::sort(all.begin(), all.end());
+    std::ranges::sort(all);
     return all;
 }
 
@@ -116,7 +116,7 @@ Values Carriers::subsets(const Values& base) const {
             result.back().parts.push_back(item);
         }
     }
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     return result;
 }
 
@@ -176,7 +176,7 @@ Values Carriers::of(TypeId id) {
 }
 
 bool has(const std::vector<std::int64_t>& set, const Value& value) {
-    return std::binary_search(set.begin(), set.end(), value.number);
+    return std::ranges::binary_search(set, value.number);
 }
 
 bool all_in(const System& system, const Instantiation& instantiation, const std::vector<TypeId>& types,
@@ -188,8 +188,8 @@ bool all_in(const System& system, const Instantiation& instantiation, const std:
 }
 
 bool each_in(const System& system, const Instantiation& instantiation, TypeId element, const Value& value) {
-    return std::all_of(value.parts.begin(), value.parts.end(),
-                       [&](const Value& part) { return in_carrier(system, instantiation, element, part); });
+    return std::ranges::all_of(value.parts,
+                               [&](const Value& part) { return in_carrier(system, instantiation, element, part); });
 }
 
 bool has_literal(const System& system, const Instantiation& instantiation, const Type& type, const Value& value) {
@@ -200,13 +200,13 @@ bool has_literal(const System& system, const Instantiation& instantiation, const
 }
 
 bool pairs_in(const System& system, const Instantiation& instantiation, const Type& type, const Value& value) {
-    return std::all_of(value.parts.begin(), value.parts.end(),
-                       [&](const Value& pair) { return all_in(system, instantiation, type.args, pair); });
+    return std::ranges::all_of(value.parts,
+                               [&](const Value& pair) { return all_in(system, instantiation, type.args, pair); });
 }
 
 bool rows_in(const System& system, const Instantiation& instantiation, const Type& type, const Value& value) {
     return static_cast<std::int64_t>(value.parts.size()) == type.sizes.at(0) &&
-           std::all_of(value.parts.begin(), value.parts.end(), [&](const Value& row) {
+           std::ranges::all_of(value.parts, [&](const Value& row) {
                return static_cast<std::int64_t>(row.parts.size()) == type.sizes.at(1) &&
                       each_in(system, instantiation, type.args.at(0), row);
            });
@@ -222,8 +222,7 @@ Value filled(std::int64_t count, const Value& item) {
 bool in_carrier(const System& system, const Instantiation& instantiation, TypeId id, const Value& value) {
     instantiation.poll();
     const auto few = instantiation.representatives.find(id.index);
-    if (few != instantiation.representatives.end())
-        return std::binary_search(few->second.begin(), few->second.end(), value);
+    if (few != instantiation.representatives.end()) return std::ranges::binary_search(few->second, value);
     const Type& type = system.types.at(id.index);
     switch (type.kind) {
         case TypeKind::boolean:
@@ -257,8 +256,9 @@ bool in_carrier(const System& system, const Instantiation& instantiation, TypeId
         case TypeKind::unit:
             return value == Value{};
         case TypeKind::string:
-            return std::any_of(instantiation.strings.begin(), instantiation.strings.end(),
-                               [&](const diagnostics::ForeignText& text) { return string_value(text) == value; });
+            return std::ranges::any_of(instantiation.strings, [&](const diagnostics::ForeignText& text) {
+                return string_value(text) == value;
+            });
     }
     return false;
 }

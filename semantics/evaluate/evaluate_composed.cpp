@@ -24,7 +24,7 @@ bool operator==(const Value& left, const Value& right) {
 }
 
 Value set_of(std::vector<Value> members) {
-    std::sort(members.begin(), members.end());
+    std::ranges::sort(members);
     members.erase(std::unique(members.begin(), members.end()), members.end());
     return {0, std::move(members)};
 }
@@ -76,7 +76,7 @@ Value applied(const Value& function, const std::vector<Value>& arguments, diagno
 }
 
 bool is_part(const Value& whole, const Value& item) {
-    return std::find(whole.parts.begin(), whole.parts.end(), item) != whole.parts.end();
+    return std::ranges::find(whole.parts, item) != whole.parts.end();
 }
 
 Value bound_tuple(const std::vector<std::pair<std::string, Value>>& bindings, std::size_t from) {

@@ -52,7 +52,7 @@ Value Evaluator::only(const Expr& expr, const std::vector<Value>& candidates) {
 }
 
 std::size_t Evaluator::true_ones(const std::vector<Value>& values) {
-    const auto count = std::count_if(values.begin(), values.end(), [](const Value& v) { return v.number != 0; });
+    const auto count = std::ranges::count_if(values, [](const Value& v) { return v.number != 0; });
     return static_cast<std::size_t>(count);
 }
 
@@ -74,9 +74,9 @@ Value Evaluator::function_result(const Function& function, const std::vector<Val
     std::swap(inside, bindings_);
     const auto satisfies = [&](const Value& candidate) {
         bindings_.emplace_back("result", candidate);
-        const bool holds =
-            std::all_of(function.postconditions.begin(), function.postconditions.end(),
-                        [&](const ExprPtr& condition) { return defined(*condition) && value(*condition).number != 0; });
+        const bool holds = std::ranges::all_of(function.postconditions, [&](const ExprPtr& condition) {
+            return defined(*condition) && value(*condition).number != 0;
+        });
         bindings_.pop_back();
         return holds;
     };

@@ -28,7 +28,7 @@ bool depends_on_state(const Expr& expr) {
 }
 
 bool depends_on_state(const std::vector<ExprPtr>& exprs) {
-    return std::any_of(exprs.begin(), exprs.end(), [](const ExprPtr& expr) { return expr && depends_on_state(*expr); });
+    return std::ranges::any_of(exprs, [](const ExprPtr& expr) { return expr && depends_on_state(*expr); });
 }
 
 /// True for a set or sequence literal with at least one element. Its value does not matter.
@@ -84,8 +84,7 @@ bool Evaluator::has_preconditions(const Expr& expr) const {
                          ? toolkit_precondition(expr.text)
                          : expr.kind == ExprKind::call && expr.function.valid() &&
                                !system_.functions.at(expr.function.index).preconditions.empty();
-    return own || std::any_of(expr.args.begin(), expr.args.end(),
-                              [&](const ExprPtr& part) { return part && has_preconditions(*part); });
+    return own || std::ranges::any_of(expr.args, [&](const ExprPtr& part) { return part && has_preconditions(*part); });
 }
 
 bool Evaluator::may_be_called(const Function& function, const std::vector<Value>& arguments, const Expr& expr) {
@@ -95,9 +94,9 @@ bool Evaluator::may_be_called(const Function& function, const std::vector<Value>
     for (std::size_t i = 0; i < std::min(arguments.size(), function.parameter_names.size()); ++i)
         inside.emplace_back(function.parameter_names[i], arguments[i]);
     std::swap(inside, bindings_);
-    const bool result =
-        std::all_of(function.preconditions.begin(), function.preconditions.end(),
-                    [&](const ExprPtr& condition) { return defined(*condition) && value(*condition).number != 0; });
+    const bool result = std::ranges::all_of(function.preconditions, [&](const ExprPtr& condition) {
+        return defined(*condition) && value(*condition).number != 0;
+    });
     std::swap(inside, bindings_);
     --depth_;
     return result;

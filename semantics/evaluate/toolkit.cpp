@@ -32,13 +32,13 @@ const Value& second(const Value& pair) {
 template <class Predicate>
 Value filtered(const Value& set, const Predicate& keep) {
     Value result;
-    std::copy_if(set.parts.begin(), set.parts.end(), std::back_inserter(result.parts), keep);
+    std::ranges::copy_if(set.parts, std::back_inserter(result.parts), keep);
     return result;
 }
 template <class Function>
 Value image(const Value& set, const Function& function) {
     Values result;
-    std::transform(set.parts.begin(), set.parts.end(), std::back_inserter(result), function);
+    std::ranges::transform(set.parts, std::back_inserter(result), function);
     return set_of(std::move(result));
 }
 
@@ -88,7 +88,7 @@ bool injective(const Value& function) {
     return range_of(function).parts.size() == function.parts.size();
 }
 bool covers(const Value& set, const Values& carrier) {
-    return std::all_of(carrier.begin(), carrier.end(), [&](const Value& x) { return is_part(set, x); });
+    return std::ranges::all_of(carrier, [&](const Value& x) { return is_part(set, x); });
 }
 Value united(const Value& sets) {
     Value all;
@@ -151,8 +151,7 @@ void add_sets(Table& t) {
     t[p + "Union"] = {[](Arguments a, CarrierList) { return united(a[0]); }};
     t[p + "Inter"] = {[](Arguments a, CarrierList) {
                           return filtered(first(a[0]), [&](const Value& x) {
-                              return std::all_of(a[0].parts.begin(), a[0].parts.end(),
-                                                 [&](const Value& set) { return is_part(set, x); });
+                              return std::ranges::all_of(a[0].parts, [&](const Value& set) { return is_part(set, x); });
                           });
                       },
                       {},

@@ -114,15 +114,13 @@ std::string suggestion(const std::string& name, const std::vector<NamedConstant>
 
 bool names_constant(const System& system, const std::string& option) {
     const auto constants = named_constants(system);
-    return std::any_of(constants.begin(), constants.end(),
-                       [&](const NamedConstant& each) { return means(option, each.path); });
+    return std::ranges::any_of(constants, [&](const NamedConstant& each) { return means(option, each.path); });
 }
 
 GivenConstants not_overridden(const System& system, const GivenConstants& weaker, const GivenConstants& stronger) {
     const auto constants = named_constants(system);
     const auto named = [&](const std::string& path) {
-        return std::any_of(stronger.begin(), stronger.end(),
-                           [&](const auto& option) { return means(option.first, path); });
+        return std::ranges::any_of(stronger, [&](const auto& option) { return means(option.first, path); });
     };
     // An option that sets the machine's own constant also sets it in all controllers that run the machine.
     const auto own = own_constants(system);

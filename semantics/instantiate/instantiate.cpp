@@ -63,7 +63,7 @@ bool is_size(const std::string& name) {
 void read_range_options(const InstantiationOptions& options, Ranges& ranges, Diagnostics& diagnostics) {
     for (const auto& [name, bounds] : options.ranges) {
         if (is_size(name)) continue;
-        const auto* at = std::find(Ranges::names.begin(), Ranges::names.end(), name);
+        const auto* at = std::ranges::find(Ranges::names, name);
         if (at == Ranges::names.end()) {
             const std::vector<std::string> known{"nat", "int", "real", "Seq", "clock", "given"};
             const std::string meant = diagnostics::nearest(name, known);

@@ -11,7 +11,7 @@ namespace robochart::ir {
 namespace {
 
 const Constant* find_constant(const std::vector<Constant>& constants, const std::string& name) {
-    const auto it = std::find_if(constants.begin(), constants.end(), [&](const Constant& c) { return c.name == name; });
+    const auto it = std::ranges::find_if(constants, [&](const Constant& c) { return c.name == name; });
     return it == constants.end() ? nullptr : &*it;
 }
 
@@ -100,7 +100,7 @@ std::vector<Part> parts_of(const System& system, const Controller& controller) {
 
 bool calls(const System& system, const Controller& controller, const Machine& caller, const Machine& operation) {
     const auto called = called_operations(caller);
-    return std::any_of(called.begin(), called.end(), [&](OperationId id) {
+    return std::ranges::any_of(called, [&](OperationId id) {
         const MachineId definition = definition_in(system, controller, caller.operations[id.index]);
         return definition.valid() && &system.machine(definition) == &operation;
     });
@@ -139,7 +139,7 @@ private:
     }
     void add(const ConstantSource& source) {
         const auto same = [&](const ConstantSource& known) { return known.name == source.name; };
-        if (std::none_of(found_.begin(), found_.end(), same)) found_.push_back(source);
+        if (std::ranges::none_of(found_, same)) found_.push_back(source);
     }
 
     const System& system_;

@@ -23,7 +23,7 @@ CallGraph call_graph(const System& system, const Controller& controller) {
         const Machine& machine = system.machine(controller.definitions[caller]);
         for (const auto operation : called_operations(machine)) {
             const MachineId callee = definition_in(system, controller, machine.operations[operation.index]);
-            const auto at = std::find(controller.definitions.begin(), controller.definitions.end(), callee);
+            const auto at = std::ranges::find(controller.definitions, callee);
             if (at == controller.definitions.end()) continue;
             boost::add_edge(caller, static_cast<Vertex>(at - controller.definitions.begin()), graph);
         }

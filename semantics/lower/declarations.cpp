@@ -140,7 +140,7 @@ void Collector::members(const ast::Context& owner, const std::string& element, c
 void Collector::interface(const ast::InterfaceClause& clause) {
     if (clause.target == nullptr || clause.target->kind != ast::DeclKind::interface)
         return lowering_.unresolved("interface '" + clause.name.text() + "'", clause.name.span);
-    if (std::find(seen_.begin(), seen_.end(), clause.target) != seen_.end()) return;
+    if (std::ranges::find(seen_, clause.target) != seen_.end()) return;
     seen_.push_back(clause.target);
     result_.interfaces.push_back(clause.target->name);
     members(static_cast<const ast::Context&>(*clause.target), clause.target->name, &clause);

@@ -50,7 +50,7 @@ ExprPtr Expressions::function_call(const ast::Expr& source, const ast::Function&
 
 /// The function as a set of pairs.
 ExprPtr Expressions::function_value(const ast::Expr& source, const ast::Function& function) {
-    if (std::find(toolkits.begin(), toolkits.end(), lowering_.package_of(function)) != toolkits.end())
+    if (std::ranges::find(toolkits, lowering_.package_of(function)) != toolkits.end())
         return refuse(source, "function " + function.name + " of " + lowering_.package_of(function) + " as a value");
     Expr expr;
     expr.kind = ExprKind::function_value;
@@ -84,7 +84,7 @@ ExprPtr Expressions::call(const ast::Expr& source, TypeId expected) {
     if (source.target->kind == ast::DeclKind::function) {
         const auto& function = static_cast<const ast::Function&>(*source.target);
         const std::string package = lowering_.package_of(function);
-        const bool library = std::find(toolkits.begin(), toolkits.end(), package) != toolkits.end();
+        const bool library = std::ranges::find(toolkits, package) != toolkits.end();
         if (library) return toolkit_call(source, function, expected);
         return is_generic(function) ? generic_call(source, function, expected) : function_call(source, function);
     }
@@ -101,7 +101,7 @@ ExprPtr Expressions::member(const ast::Expr& source) {
     Expr expr = start(source, ExprKind::member);
     expr.args = {operand(source, 0)};
     const Type& type = lowering_.system.type(expr.args[0]->type);
-    const auto at = std::find(type.labels.begin(), type.labels.end(), source.text);
+    const auto at = std::ranges::find(type.labels, source.text);
     if (type.kind != TypeKind::record || at == type.labels.end())
         return lowering_.unresolved("field '" + source.text + "'", source.span), share(std::move(expr));
     expr.number = at - type.labels.begin();
@@ -175,9 +175,8 @@ ExprPtr Expressions::record(const ast::Expr& source) {
     Expr expr = start(source, ExprKind::record);
     const Type type = lowering_.system.type(expr.type);
     for (std::size_t i = 0; i < type.labels.size(); ++i) {
-        const auto binding = std::find_if(source.bindings.begin(), source.bindings.end(), [&](const ast::Binding& b) {
-            return b.variable && b.variable->name == type.labels[i];
-        });
+        const auto binding = std::ranges::find_if(
+            source.bindings, [&](const ast::Binding& b) { return b.variable && b.variable->name == type.labels[i]; });
         if (binding == source.bindings.end() || !binding->value) {
             expr.args.push_back(default_of(source, type.args[i]));
             if (!expr.args.back()) return refuse(source, "a record without its field " + type.labels[i]);

@@ -118,7 +118,7 @@ ExprPtr Expressions::literal_by_name(const ast::Expr& source, TypeId expected) {
     const std::string label = source.name.parts.empty() ? "" : source.name.parts.back();
     if (expected.valid()) {
         const auto& labels = lowering_.system.type(expected).labels;
-        const auto at = std::find(labels.begin(), labels.end(), label);
+        const auto at = std::ranges::find(labels, label);
         if (at != labels.end()) {
             Expr expr;
             expr.kind = ExprKind::enum_literal;
@@ -142,7 +142,7 @@ ExprPtr Expressions::enum_literal(const ast::Expr& source, const ast::EnumLitera
     const auto& declaration = static_cast<const ast::TypeDeclaration&>(*literal.parent);
     expr.type = lower_declared_type(lowering_, declaration, source.span);
     const Type type = lowering_.system.type(expr.type);
-    expr.number = std::find(type.labels.begin(), type.labels.end(), literal.name) - type.labels.begin();
+    expr.number = std::ranges::find(type.labels, literal.name) - type.labels.begin();
     const auto place = static_cast<std::size_t>(expr.number);
     for (std::size_t i = 0; place < type.literal_args.size() && i < type.literal_args[place].size(); ++i)
         expr.args.push_back(operand(source, i, type.literal_args[place][i]));

@@ -13,14 +13,13 @@ namespace {
 
 bool generic(const frontend::TypePtr& type) {
     if (!type) return false;
-    return type->form == frontend::TypeForm::variable || std::any_of(type->args.begin(), type->args.end(), generic);
+    return type->form == frontend::TypeForm::variable || std::ranges::any_of(type->args, generic);
 }
 
 /// True if typing has rejected the contract (RC-T36); the function then has none.
 bool contract_is_wrong(const frontend::Function& source) {
     const auto wrong = [](const auto& condition) { return !condition->type; };
-    return std::any_of(source.preconditions.begin(), source.preconditions.end(), wrong) ||
-           std::any_of(source.postconditions.begin(), source.postconditions.end(), wrong);
+    return std::ranges::any_of(source.preconditions, wrong) || std::ranges::any_of(source.postconditions, wrong);
 }
 
 /// True if csp blocks that replace the instantiation define the function (semantics 3.13), in each of the timed and
@@ -92,7 +91,7 @@ std::string instance_name(const Lowering& lowering, const frontend::Function& so
     if (instances == 0) return source.name;
     const std::string package = lowering.package_of(source);
     const auto declared = [&](const std::string& name) {
-        return std::any_of(lowering.home.begin(), lowering.home.end(), [&](const auto& known) {
+        return std::ranges::any_of(lowering.home, [&](const auto& known) {
             return known.first->name == name && lowering.package_of(*known.first) == package;
         });
     };
@@ -105,7 +104,7 @@ std::string instance_name(const Lowering& lowering, const frontend::Function& so
 
 bool is_generic(const frontend::Function& function) {
     const auto open = [](const auto& parameter) { return generic(parameter->type); };
-    return generic(function.result) || std::any_of(function.parameters.begin(), function.parameters.end(), open);
+    return generic(function.result) || std::ranges::any_of(function.parameters, open);
 }
 
 FunctionId lower_function(Lowering& lowering, const frontend::Function& source, diagnostics::Span where) {

@@ -20,8 +20,7 @@ void sort_files(Lowering& lowering) {
     const auto path = [&](const ast::File* file) -> std::string_view {
         return file->source == diagnostics::SourceId::none ? std::string_view{} : lowering.sources.path(file->source);
     };
-    std::stable_sort(lowering.files.begin(), lowering.files.end(),
-                     [&](const ast::File* a, const ast::File* b) { return path(a) < path(b); });
+    std::ranges::stable_sort(lowering.files, [&](const ast::File* a, const ast::File* b) { return path(a) < path(b); });
     for (const auto* file : lowering.files)
         for (const auto& declaration : file->declarations) lowering.home[declaration.get()] = file;
 }

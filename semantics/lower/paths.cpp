@@ -44,7 +44,7 @@ FoundComponent machine_at(const Lowering& lowering, std::uint32_t index) {
 
 template <class Source>
 std::optional<std::uint32_t> index_of(const std::vector<const Source*>& sources, const ast::Declaration* wanted) {
-    const auto at = std::find(sources.begin(), sources.end(), wanted);
+    const auto at = std::ranges::find(sources, wanted);
     if (at == sources.end()) return std::nullopt;
     return static_cast<std::uint32_t>(at - sources.begin());
 }

@@ -132,7 +132,7 @@ void Programs::conditional(const ast::Stmt& source, Stmt& stmt) {
 
 TypeId Programs::member_step(const ast::Expr& target, TypeId base, Stmt& stmt) {
     const Type& type = lowering_.system.type(base);
-    const auto at = std::find(type.labels.begin(), type.labels.end(), target.text);
+    const auto at = std::ranges::find(type.labels, target.text);
     if (type.kind != TypeKind::record || at == type.labels.end()) {
         lowering_.unresolved("field '" + target.text + "'", target.span);
         return base;

@@ -138,7 +138,7 @@ TypeId Bindings::instance(const ast::TypePtr& formal) {
 
 void Bindings::collect(const ast::TypePtr& formal, std::vector<std::string>& names) const {
     if (!formal) return;
-    if (formal->form == TypeForm::variable && std::find(names.begin(), names.end(), formal->name) == names.end())
+    if (formal->form == TypeForm::variable && std::ranges::find(names, formal->name) == names.end())
         names.push_back(formal->name);
     for (const auto& arg : formal->args) collect(arg, names);
 }

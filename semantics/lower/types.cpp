@@ -195,8 +195,8 @@ TypeId lower_type(Lowering& lowering, const frontend::TypePtr& source, diagnosti
     for (const auto& arg : source->args) type.args.push_back(lower_type(lowering, arg, where));
     for (const auto size : source->sizes) type.sizes.push_back(size);
     type.origin.element = type.name;
-    const bool sized = std::all_of(type.sizes.begin(), type.sizes.end(),
-                                   [](std::int64_t size) { return size >= 1 && size <= largest_size; });
+    const bool sized =
+        std::ranges::all_of(type.sizes, [](std::int64_t size) { return size >= 1 && size <= largest_size; });
     if (!sized) return lowering.unsupported("type " + type.name + " of this size", where), nat_type;
     return intern(lowering, std::move(type));
 }
@@ -214,7 +214,7 @@ bool is_open(const System& system, TypeId id) {
     if (!id.valid() || system.type(id).kind == TypeKind::unit) return true;
     const Type& type = system.type(id);
     return type.kind != TypeKind::record &&
-           std::any_of(type.args.begin(), type.args.end(), [&](TypeId arg) { return is_open(system, arg); });
+           std::ranges::any_of(type.args, [&](TypeId arg) { return is_open(system, arg); });
 }
 
 TypeId common_type(Lowering& lowering, TypeId a, TypeId b) {

@@ -80,8 +80,8 @@ private:
 
     bool take_average(const ChainQuestion& question, ChainAsked& asked) {
         const auto& distinctions = scenario_.abstraction->distinctions;
-        const auto found = std::find_if(distinctions.begin(), distinctions.end(),
-                                        [&](const Distinction& each) { return each.measure == question.measure; });
+        const auto found = std::ranges::find_if(
+            distinctions, [&](const Distinction& each) { return each.measure == question.measure; });
         if (found == distinctions.end()) return false;
         asked.distinction = static_cast<std::size_t>(found - distinctions.begin());
         for (std::size_t state = 0; state < states_.size(); ++state) {
@@ -106,8 +106,7 @@ std::vector<ChainAsked> chain_asked(const Scenario& scenario, const ChainStates&
 }
 
 bool ChainAnswer::refuted() const {
-    return of_no_chain ||
-           std::any_of(checks.begin(), checks.end(), [](const ChainCheck& each) { return each.contradicts; });
+    return of_no_chain || std::ranges::any_of(checks, [](const ChainCheck& each) { return each.contradicts; });
 }
 
 ClaimVerdict ChainAnswer::verdict() const {

@@ -16,18 +16,17 @@ namespace robochart::simulation {
 using diagnostics::Json;
 
 bool ChainResult::refuted() const {
-    return order || std::any_of(answers.begin(), answers.end(), [](const ChainAnswer& each) { return each.refuted(); });
+    return order || std::ranges::any_of(answers, [](const ChainAnswer& each) { return each.refuted(); });
 }
 
 bool ChainResult::fails() const {
-    return refuted() || std::any_of(answers.begin(), answers.end(),
-                                    [](const ChainAnswer& each) { return each.verdict() == ClaimVerdict::fails; });
+    return refuted() ||
+           std::ranges::any_of(answers, [](const ChainAnswer& each) { return each.verdict() == ClaimVerdict::fails; });
 }
 
 bool ChainResult::complete() const {
     return !interrupted && answers.size() == questions &&
-           std::none_of(answers.begin(), answers.end(),
-                        [](const ChainAnswer& each) { return each.verdict() == ClaimVerdict::open; });
+           std::ranges::none_of(answers, [](const ChainAnswer& each) { return each.verdict() == ClaimVerdict::open; });
 }
 
 std::string answer_word(const ChainAnswer& answer) {
@@ -61,10 +60,8 @@ std::string interval(const statistics::Interval& each) {
 
 /// The first check that contradicts the prediction.
 std::string contradiction(const ChainAnswer& answer) {
-    const auto found = std::find_if(answer.checks.begin(), answer.checks.end(),
-                                    [](const ChainCheck& each) { return each.contradicts; });
-    const auto all = std::count_if(answer.checks.begin(), answer.checks.end(),
-                                   [](const ChainCheck& each) { return each.contradicts; });
+    const auto found = std::ranges::find_if(answer.checks, [](const ChainCheck& each) { return each.contradicts; });
+    const auto all = std::ranges::count_if(answer.checks, [](const ChainCheck& each) { return each.contradicts; });
     if (all == 0) return "the chain is no abstraction here: its order is refuted";
     return fmt::format("the chain is no abstraction here: at {:g} s it says {}, fresh trials {}; so at {} of {} times",
                        found->time, interval(found->predicted), interval(found->by_trials), all, answer.checks.size());
@@ -112,12 +109,11 @@ std::string order_text(const ChainStates& states, const ChainResult& result) {
 }
 
 std::string chain_summary(const ChainResult& result) {
-    const auto refuted = std::count_if(result.answers.begin(), result.answers.end(),
-                                       [](const ChainAnswer& each) { return each.refuted(); });
-    const auto fails = std::count_if(result.answers.begin(), result.answers.end(), [](const ChainAnswer& each) {
+    const auto refuted = std::ranges::count_if(result.answers, [](const ChainAnswer& each) { return each.refuted(); });
+    const auto fails = std::ranges::count_if(result.answers, [](const ChainAnswer& each) {
         return !each.refuted() && each.verdict() == ClaimVerdict::fails;
     });
-    const auto open = std::count_if(result.answers.begin(), result.answers.end(), [](const ChainAnswer& each) {
+    const auto open = std::ranges::count_if(result.answers, [](const ChainAnswer& each) {
         return !each.refuted() && each.verdict() == ClaimVerdict::open;
     });
     std::string out;

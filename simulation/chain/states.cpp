@@ -31,8 +31,7 @@ std::vector<std::uint32_t> robot_classes(const Scenario& scenario) {
     for (const std::uint16_t number : numbers) {
         std::uint32_t bits = 0;
         for (std::size_t i = 0; i < asked.size(); ++i)
-            if (std::find(asked[i]->states.begin(), asked[i]->states.end(), number) != asked[i]->states.end())
-                bits |= std::uint32_t{1} << i;
+            if (std::ranges::find(asked[i]->states, number) != asked[i]->states.end()) bits |= std::uint32_t{1} << i;
         classes.insert(bits);
     }
     return {classes.begin(), classes.end()};
@@ -66,7 +65,7 @@ void ChainStates::find_classes(const Distinction& distinction) {
     if (robots >= most_states) throw TooManyStates(fmt::format("{} robots", robots));
     const auto level_of = [&](std::uint32_t count) {
         const auto& levels = distinction.levels;
-        return std::lower_bound(levels.begin(), levels.end(), share(count, robots)) - levels.begin();
+        return std::ranges::lower_bound(levels, share(count, robots)) - levels.begin();
     };
     for (std::uint32_t count = 0; count <= robots; ++count) {
         const bool same = count > 0 && !distinction.levels.empty() && level_of(count) == level_of(count - 1);
@@ -84,7 +83,7 @@ void ChainStates::find_distributions(const std::vector<std::uint32_t>& classes) 
     distribute(so_far, 0, scenario_.robots);
     for (const Distribution& each : distributions_) distributed_.push_back(projected(each, classes));
     admitted_ = distributed_;
-    std::sort(admitted_.begin(), admitted_.end());
+    std::ranges::sort(admitted_);
     admitted_.erase(std::unique(admitted_.begin(), admitted_.end()), admitted_.end());
 }
 
@@ -111,9 +110,8 @@ ChainStates::Tuple ChainStates::projected(const Distribution& robots, const std:
         std::uint32_t count = 0;
         for (std::size_t c = 0; c < classes.size(); ++c)
             if ((classes[c] & bit) != 0) count += robots[c];
-        const auto found = std::find_if(classes_[d].begin(), classes_[d].end(), [&](const MeasureClass& each) {
-            return each.least <= count && count <= each.most;
-        });
+        const auto found = std::ranges::find_if(
+            classes_[d], [&](const MeasureClass& each) { return each.least <= count && count <= each.most; });
         result[d] = static_cast<std::size_t>(found - classes_[d].begin());
         bit <<= 1U;
     }
@@ -128,7 +126,7 @@ ChainStates::Tuple ChainStates::robots_in(const Tuple& state) const {
 }
 
 bool ChainStates::fits(const Tuple& state) const {
-    return std::binary_search(admitted_.begin(), admitted_.end(), robots_in(state));
+    return std::ranges::binary_search(admitted_, robots_in(state));
 }
 
 void ChainStates::find_states(std::size_t at, Tuple& so_far) {
@@ -150,12 +148,12 @@ std::size_t ChainStates::of(const std::vector<double>& sample) const {
     Tuple wanted;
     for (std::size_t d = 0; d < classes_.size(); ++d) {
         const auto& classes = classes_[d];
-        const auto found = std::find_if(classes.begin(), classes.end(),
-                                        [&](const MeasureClass& each) { return sample[d] <= each.high; });
+        const auto found =
+            std::ranges::find_if(classes, [&](const MeasureClass& each) { return sample[d] <= each.high; });
         if (found == classes.end()) return none;
         wanted.push_back(static_cast<std::size_t>(found - classes.begin()));
     }
-    const auto found = std::lower_bound(states_.begin(), states_.end(), wanted);
+    const auto found = std::ranges::lower_bound(states_, wanted);
     return found == states_.end() || *found != wanted ? none : static_cast<std::size_t>(found - states_.begin()) + 1;
 }
 
@@ -259,8 +257,7 @@ bool ChainStates::admits(const Distribution& before, const Distribution& behind)
 statistics::Permitted ChainStates::permitted(diagnostics::Budget* budget) const {
     statistics::Permitted result = statistics::all_permitted(size());
     const auto number = [&](const Tuple& robots) {
-        return static_cast<std::size_t>(std::lower_bound(admitted_.begin(), admitted_.end(), robots) -
-                                        admitted_.begin());
+        return static_cast<std::size_t>(std::ranges::lower_bound(admitted_, robots) - admitted_.begin());
     };
     std::vector<bool> first(admitted_.size(), !steps_);
     statistics::Permitted follows(admitted_.size(), std::vector<bool>(admitted_.size(), !steps_));
@@ -277,7 +274,7 @@ statistics::Permitted ChainStates::permitted(diagnostics::Budget* budget) const 
         }
     }
     for (std::vector<bool>& row : follows)
-        if (std::find(row.begin(), row.end(), true) == row.end()) row.assign(row.size(), true);
+        if (std::ranges::find(row, true) == row.end()) row.assign(row.size(), true);
     for (std::size_t to = 0; to < size(); ++to) {
         const std::size_t target = to == start ? 0 : number(robots_in(states_[to - 1]));
         for (std::size_t from = 0; from < size(); ++from)

@@ -13,7 +13,7 @@ namespace robochart::simulation {
 
 std::uint64_t ClaimResult::stopped() const {
     return static_cast<std::uint64_t>(
-        std::count_if(outcomes.begin(), outcomes.end(), [](const ClaimOutcome& each) { return each.stopped; }));
+        std::ranges::count_if(outcomes, [](const ClaimOutcome& each) { return each.stopped; }));
 }
 
 ClaimJudge::ClaimJudge(const Claim& claim, std::uint32_t comparisons)

@@ -105,7 +105,7 @@ public:
                     return true;
             return false;
         };
-        return std::any_of(keys_.begin(), keys_.end(), differs);
+        return std::ranges::any_of(keys_, differs);
     }
 
     [[nodiscard]] std::string light(std::size_t light) const {
@@ -159,9 +159,8 @@ std::string robots(const WorldDrawing& world, const Frame& frame) {
 }  // namespace
 
 const Frame& frame_at(const std::vector<Frame>& frames, double time) {
-    return *std::min_element(frames.begin(), frames.end(), [&](const Frame& a, const Frame& b) {
-        return std::abs(a.time - time) < std::abs(b.time - time);
-    });
+    return *std::ranges::min_element(
+        frames, [&](const Frame& a, const Frame& b) { return std::abs(a.time - time) < std::abs(b.time - time); });
 }
 
 std::string snapshots_svg(const Scenario& scenario, const std::vector<Frame>& frames, const Machines& machines) {

@@ -70,10 +70,10 @@ private:
         }
         if (options_.trials && several)
             list.push_back({"<path class=\"sim-one\" d=\"M-7 0H7\" stroke-width=\"1.2\"/>", "the trial shown"});
-        if (std::any_of(chart_.targets.begin(), chart_.targets.end(), [](const Target& t) { return !t.mean; }))
+        if (std::ranges::any_of(chart_.targets, [](const Target& t) { return !t.mean; }))
             list.push_back(
                 {"<path class=\"sim-target\" d=\"M-6 0H6M-6 -4V4M6 -4V4\" stroke-width=\"1.5\"/>", "accepted of each"});
-        if (std::any_of(chart_.targets.begin(), chart_.targets.end(), [](const Target& t) { return t.mean; }))
+        if (std::ranges::any_of(chart_.targets, [](const Target& t) { return t.mean; }))
             list.push_back(
                 {"<path class=\"sim-target\" d=\"M-6 0H6M-6 -4V4M6 -4V4\" stroke-width=\"1.5\" "
                  "stroke-dasharray=\"2 1.5\"/>",

@@ -132,10 +132,9 @@ std::string bands_text(const Scenario& scenario, const RunResult& result) {
 }
 
 std::string summary(const RunResult& result) {
-    const auto held = std::count_if(result.bands.begin(), result.bands.end(), [](const auto& b) { return b.holds; });
+    const auto held = std::ranges::count_if(result.bands, [](const auto& b) { return b.holds; });
     const auto count = [&](ClaimVerdict verdict) {
-        return std::count_if(result.claims.begin(), result.claims.end(),
-                             [&](const ClaimResult& claim) { return claim.verdict == verdict; });
+        return std::ranges::count_if(result.claims, [&](const ClaimResult& claim) { return claim.verdict == verdict; });
     };
     const auto estimates = count(ClaimVerdict::estimated);
     const auto claims = static_cast<std::ptrdiff_t>(result.claims.size()) - estimates;

@@ -80,7 +80,7 @@ private:
     void work() {
         for (std::uint32_t trial = next_++; trial < most_ && !stop_; trial = next_++) {
             const std::vector<bool> awaited = still_awaited();
-            if (trial >= whole_ && std::count(awaited.begin(), awaited.end(), true) == 0) break;
+            if (trial >= whole_ && std::ranges::count(awaited, true) == 0) break;
             run_one(trial, awaited);
             const std::lock_guard lock(mutex_);
             ended(trial);
@@ -120,8 +120,7 @@ private:
         trials_[trial].ended = result.complete || result.stop;
         if (trials_[trial].ended) ++done_;
         for (; judged_ < most_ && trials_[judged_].ended; ++judged_) judge_next(trials_[judged_]);
-        const bool decided =
-            std::all_of(judges_.begin(), judges_.end(), [](const ClaimJudge& each) { return each.done(); });
+        const bool decided = std::ranges::all_of(judges_, [](const ClaimJudge& each) { return each.done(); });
         if (decided || stop_) enough_ = true;
     }
 
@@ -162,8 +161,7 @@ private:
 
     void report(diagnostics::Diagnostics& diagnostics) const {
         // All trials have the same problem, so one report is enough.
-        const auto bad =
-            std::find_if(trials_.begin(), trials_.end(), [](const Done& done) { return !done.found.ok(); });
+        const auto bad = std::ranges::find_if(trials_, [](const Done& done) { return !done.found.ok(); });
         if (bad != trials_.end())
             for (const diagnostics::Diagnostic& d : bad->found.sorted())
                 diagnostics.report(*d.rule, d.span, d.arguments);
@@ -237,19 +235,17 @@ BandResult judge_mean(const Band& band, std::size_t index, const std::vector<Tri
 
 bool RunResult::stopped() const {
     return stops_are_errors &&
-           std::any_of(trials.begin(), trials.end(), [](const TrialResult& trial) { return trial.stop.has_value(); });
+           std::ranges::any_of(trials, [](const TrialResult& trial) { return trial.stop.has_value(); });
 }
 
 bool RunResult::fails() const {
-    return stopped() || std::any_of(bands.begin(), bands.end(), [](const BandResult& band) { return !band.holds; }) ||
-           std::any_of(claims.begin(), claims.end(),
-                       [](const ClaimResult& claim) { return claim.verdict == ClaimVerdict::fails; });
+    return stopped() || std::ranges::any_of(bands, [](const BandResult& band) { return !band.holds; }) ||
+           std::ranges::any_of(claims, [](const ClaimResult& claim) { return claim.verdict == ClaimVerdict::fails; });
 }
 
 bool RunResult::holds() const {
     return !fails() && !interrupted && watched &&
-           std::none_of(claims.begin(), claims.end(),
-                        [](const ClaimResult& claim) { return claim.verdict == ClaimVerdict::open; });
+           std::ranges::none_of(claims, [](const ClaimResult& claim) { return claim.verdict == ClaimVerdict::open; });
 }
 
 std::uint32_t whole_trials(const Scenario& scenario, bool record) {

@@ -61,9 +61,8 @@ private:
         const auto affordable = static_cast<std::size_t>(std::min(1e6, most_pairs / pairs));
         result_.distances = affordable >= least_times;
         const std::size_t most = std::min(most_times, std::max(affordable, least_times));
-        const auto longest = *std::max_element(trials_.begin(), trials_.end(), [](const auto* a, const auto* b) {
-            return a->frames.size() < b->frames.size();
-        });
+        const auto longest = *std::ranges::max_element(
+            trials_, [](const auto* a, const auto* b) { return a->frames.size() < b->frames.size(); });
         const std::size_t count = longest->frames.size();
         result_.every = thinning(count, most);
         kept_ = thinned(count, result_.every);
@@ -236,7 +235,7 @@ private:
 }  // namespace
 
 Quartiles quartiles_of(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
+    std::ranges::sort(values);
     return {values.front(), at_rank(values, 0.25), at_rank(values, 0.5), at_rank(values, 0.75), values.back()};
 }
 

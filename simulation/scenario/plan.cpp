@@ -127,12 +127,11 @@ private:
     [[nodiscard]] bool is_silent(const Sensor& sensor, const Emissions& all) const {
         if (sensor.message.text.empty()) return true;
         const auto sends = [&](const cpp_emit::DriveEmission* emission) {
-            return std::any_of(emission->outputs.begin(), emission->outputs.end(), [&](const Port& port) {
+            return std::ranges::any_of(emission->outputs, [&](const Port& port) {
                 return port.kind == Port::Kind::variable && port.name == sensor.message.text;
             });
         };
-        return !sends(&emission_) &&
-               (&emission_ != all.kinds.front() || std::any_of(all.kinds.begin(), all.kinds.end(), sends));
+        return !sends(&emission_) && (&emission_ != all.kinds.front() || std::ranges::any_of(all.kinds, sends));
     }
 
     /// Reports events without a feed, and operations without an effect. `effects` contains the effects of each output.

@@ -72,7 +72,7 @@ std::string_view printed_unit(Dimension dimension) {
 }
 
 std::optional<Unit> unit_named(std::string_view name) {
-    const auto* row = std::find_if(units.begin(), units.end(), [&](const Row& r) { return r.name == name; });
+    const auto* row = std::ranges::find_if(units, [&](const Row& r) { return r.name == name; });
     if (row == units.end()) return std::nullopt;
     return row->unit;
 }

@@ -53,14 +53,14 @@ bool ScenarioReader::distinction(Abstraction& abstraction) {
     }
     if (in_.failed()) return false;
     const diagnostics::Span span = diagnostics::join(begin, in_.last_span());
-    const bool again = std::any_of(abstraction.distinctions.begin(), abstraction.distinctions.end(),
-                                   [&](const Distinction& other) { return other.measure == each.measure; });
+    const bool again = std::ranges::any_of(abstraction.distinctions,
+                                           [&](const Distinction& other) { return other.measure == each.measure; });
     if (again) in_.report(rules::said_twice, span, {fmt::format("'{}'", name)});
     if (each.levels.empty() && dimension != Dimension::share)
         in_.report(rules::missing, span, {fmt::format("between which levels of '{}' the chain tells apart", name)});
     if (each.levels.size() > most_levels)
         in_.report(rules::out_of_range, span, {fmt::format("a measure has at most {} levels", most_levels)});
-    if (std::adjacent_find(each.levels.begin(), each.levels.end(), std::greater_equal<>()) != each.levels.end())
+    if (std::ranges::adjacent_find(each.levels, std::greater_equal<>()) != each.levels.end())
         in_.report(rules::out_of_range, span, {"the levels do not ascend"});
     abstraction.distinctions.push_back(std::move(each));
     return another;

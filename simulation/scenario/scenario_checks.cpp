@@ -33,7 +33,7 @@ void ScenarioReader::check() {
             return (failure.mean_time > 0) == (each.what == Varied::mean_time);
         };
         if ((each.what == Varied::failed || each.what == Varied::mean_time) &&
-            std::none_of(scenario_.failures.begin(), scenario_.failures.end(), varies))
+            std::ranges::none_of(scenario_.failures, varies))
             in_.report(rules::missing, each.span,
                        {each.what == Varied::failed ? "what fails (failure of KIND at TIME in N robots)"
                                                     : "what fails (failure of KIND with mean time TIME)"});
@@ -47,8 +47,7 @@ void ScenarioReader::check() {
 /// At most as many robots may fail as exist. If the number of robots varies, each point uses its own number.
 void ScenarioReader::check_failures() {
     const auto varied = [&](Varied what) {
-        return std::find_if(scenario_.variations.begin(), scenario_.variations.end(),
-                            [&](const Variation& each) { return each.what == what; });
+        return std::ranges::find_if(scenario_.variations, [&](const Variation& each) { return each.what == what; });
     };
     const auto none = scenario_.variations.end();
     const auto refuse = [&](diagnostics::Span span, double failing, std::uint32_t robots) {
@@ -166,9 +165,8 @@ namespace {
 /// Places the robots of a kind. If there are several regions, each gets an equal part; the first ones get one robot
 /// more. Returns false, with a finding, if they do not fit.
 bool place(World& world, const Scenario& scenario, const RobotKind& kind, diagnostics::Diagnostics& diagnostics) {
-    const auto fixed = static_cast<std::size_t>(
-        std::count_if(kind.placements.begin(), kind.placements.end(),
-                      [](const Placement& placement) { return placement.kind == Placement::Kind::pose; }));
+    const auto fixed = static_cast<std::size_t>(std::ranges::count_if(
+        kind.placements, [](const Placement& placement) { return placement.kind == Placement::Kind::pose; }));
     std::size_t regions = kind.placements.size() - fixed;
     const auto refuse = [&](std::size_t robots, diagnostics::Span span) {
         diagnostics.report(rules::no_space, span,

@@ -197,11 +197,11 @@ void ScenarioReader::world_drive() {
     const Name name = in_.name("a light or an obstacle");
     if (in_.failed()) return;
     const auto& obstacles = scenario_.obstacles;
-    const auto obstacle = std::find_if(obstacles.begin(), obstacles.end(),
-                                       [&](const Obstacle& each) { return each.name.text == name.text; });
+    const auto obstacle =
+        std::ranges::find_if(obstacles, [&](const Obstacle& each) { return each.name.text == name.text; });
     const bool is_obstacle = obstacle != obstacles.end();
-    const bool is_light = std::any_of(scenario_.lights.begin(), scenario_.lights.end(),
-                                      [&](const Light& each) { return each.name.text == name.text; });
+    const bool is_light =
+        std::ranges::any_of(scenario_.lights, [&](const Light& each) { return each.name.text == name.text; });
     if (!is_obstacle && !is_light) return unknown_subject(name);
     act.what = is_obstacle ? static_cast<std::size_t>(obstacle - obstacles.begin()) : light_named(name);
     in_.expect("by");

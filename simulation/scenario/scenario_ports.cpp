@@ -129,12 +129,11 @@ void ScenarioReader::skip_word() {
 
 const ReadingRow* ScenarioReader::find_reading(const Feed& feed, const Name& reading) {
     if (in_.failed()) return nullptr;
-    const auto sensor = std::find_if(scenario_.sensors.begin(), scenario_.sensors.end(),
-                                     [&](const Sensor& s) { return s.name.text == feed.part.text; });
+    const auto sensor =
+        std::ranges::find_if(scenario_.sensors, [&](const Sensor& s) { return s.name.text == feed.part.text; });
     const bool is_sensor = sensor != scenario_.sensors.end();
     const bool is_actuator = is_actuator_name(feed.part.text);
-    const bool reported =
-        std::find(unknown_sensors_.begin(), unknown_sensors_.end(), feed.part.text) != unknown_sensors_.end();
+    const bool reported = std::ranges::find(unknown_sensors_, feed.part.text) != unknown_sensors_.end();
     if (!is_sensor && !is_actuator) {
         std::vector<std::string> known;
         for (const Sensor& each : scenario_.sensors) known.push_back(each.name.text);
@@ -152,14 +151,13 @@ const ReadingRow* ScenarioReader::find_reading(const Feed& feed, const Name& rea
 }
 
 bool ScenarioReader::in_sensor_without_message(const Feed& feed) const {
-    return std::any_of(scenario_.sensors.begin(), scenario_.sensors.end(), [&](const Sensor& sensor) {
+    return std::ranges::any_of(scenario_.sensors, [&](const Sensor& sensor) {
         return sensor.name.text == feed.part.text && sensor.message.text.empty();
     });
 }
 
 bool ScenarioReader::is_actuator_name(const std::string& name) const {
-    return std::any_of(scenario_.actuators.begin(), scenario_.actuators.end(),
-                       [&](const Actuator& a) { return a.name.text == name; });
+    return std::ranges::any_of(scenario_.actuators, [&](const Actuator& a) { return a.name.text == name; });
 }
 
 void ScenarioReader::argument(Feed& feed, const ReadingRow& row) {

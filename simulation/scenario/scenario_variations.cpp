@@ -51,7 +51,7 @@ void ScenarioReader::vary() {
     const auto same = [&](const Variation& other) {
         return other.what == variation.what && subject(other) == subject(variation) && other.option == variation.option;
     };
-    if (std::any_of(scenario_.variations.begin(), scenario_.variations.end(), same))
+    if (std::ranges::any_of(scenario_.variations, same))
         in_.report(rules::said_twice, variation.span, {fmt::format("'{}'", in_.text_since(begin))});
     else if (scenario_.variations.size() == most_variations)
         in_.report(rules::out_of_range, variation.span, {fmt::format("at most {} things vary", most_variations)});
@@ -69,8 +69,8 @@ std::string ScenarioReader::constant_named() {
 
 void ScenarioReader::sensor_option(Variation& variation) {
     variation.what = Varied::sensor;
-    const bool known = std::any_of(scenario_.sensors.begin(), scenario_.sensors.end(),
-                                   [&](const Sensor& sensor) { return in_.at(sensor.name.text); });
+    const bool known =
+        std::ranges::any_of(scenario_.sensors, [&](const Sensor& sensor) { return in_.at(sensor.name.text); });
     if (!known) return in_.fail("'robots', 'noise', 'failures', 'mean time', 'const' or a sensor");
     variation.constant = in_.name("a sensor").text;
     in_.expect(".");
@@ -102,7 +102,7 @@ void ScenarioReader::values(Variation& variation) {
         return;
     }
     while (in_.take(",") && values.size() < most_values) values.push_back(value_of(variation.what));
-    std::sort(values.begin(), values.end());
+    std::ranges::sort(values);
     values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 

@@ -46,7 +46,7 @@ namespace {
 const ReadingRow* find(std::optional<SensorKind> kind, std::string_view name) {
     const auto rows = readings();
     const auto row =
-        std::find_if(rows.begin(), rows.end(), [&](const ReadingRow& r) { return r.sensor == kind && r.name == name; });
+        std::ranges::find_if(rows, [&](const ReadingRow& r) { return r.sensor == kind && r.name == name; });
     return row == rows.end() ? nullptr : &*row;
 }
 

@@ -72,7 +72,7 @@ private:
     /// Finds the columns; returns the message about a missing one.
     std::string heading(const Fields& names) {
         const auto find = [&](const std::string& name) {
-            return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+            return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
         };
         for (const Variation& each : scenario_.variations) point_.push_back(find(name_of(each)));
         trials_ = find("trials");
@@ -107,8 +107,7 @@ private:
         if (count && *count > 0) return *count - 1;
         if (text.empty() && scenario_.claims.size() == 1) return 0;
         const auto same = [&](const Claim& each) { return each.text == text; };
-        return static_cast<std::size_t>(std::find_if(scenario_.claims.begin(), scenario_.claims.end(), same) -
-                                        scenario_.claims.begin());
+        return static_cast<std::size_t>(std::ranges::find_if(scenario_.claims, same) - scenario_.claims.begin());
     }
 
     const Scenario& scenario_;
@@ -193,8 +192,7 @@ diagnostics::Json comparison_json(const Scenario& scenario, const std::vector<Co
 }
 
 std::string comparison_summary(const Scenario& scenario, const std::vector<Compared>& all) {
-    const auto count =
-        std::count_if(all.begin(), all.end(), [&](const Compared& each) { return rejected(scenario, each); });
+    const auto count = std::ranges::count_if(all, [&](const Compared& each) { return rejected(scenario, each); });
     return count == 0 ? fmt::format("none of {} estimates differs from the table", all.size())
                       : fmt::format("{} of {} estimates differ from the table", count, all.size());
 }

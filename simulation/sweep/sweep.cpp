@@ -117,7 +117,7 @@ Least least(const std::vector<PointResult>& results, std::size_t claim, std::opt
         }
         all_fail = all_fail && verdict == ClaimVerdict::fails;
     }
-    const bool tried = std::all_of(results.begin(), results.end(), [&](const PointResult& each) {
+    const bool tried = std::ranges::all_of(results, [&](const PointResult& each) {
         return (second && each.point.at(1) != *second) || !each.claims.empty();
     });
     found.ended = found.ended || tried;
@@ -154,7 +154,7 @@ namespace {
 
 bool is_stored(const Json& claim) {
     const auto numbers = [](const Json& list) {
-        return std::all_of(list.begin(), list.end(), [](const Json& each) { return each.is_number(); });
+        return std::ranges::all_of(list, [](const Json& each) { return each.is_number(); });
     };
     if (!claim.is_array() || claim.size() != 8 || !claim[7].is_array() || !numbers(claim[7])) return false;
     return std::all_of(claim.begin(), claim.end() - 1, [](const Json& each) { return each.is_number(); });

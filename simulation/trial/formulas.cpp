@@ -79,7 +79,7 @@ void Property::collect(const Formula& formula, double control_step, std::uint64_
 
 bool Property::due(std::uint64_t step) const {
     if (answer_.holds) return false;
-    return std::any_of(timed_.begin(), timed_.end(), [&](const Timed& timed) {
+    return std::ranges::any_of(timed_, [&](const Timed& timed) {
         if (timed.holds) return false;
         // A formula that refers to the past must also be evaluated before.
         return timed.formula->kind != Kind::at || step == timed.last || count_stays(*timed.formula) > 0;

@@ -14,7 +14,7 @@ KindTraces::KindTraces(const Scenario& scenario, std::vector<std::unique_ptr<Tra
 void KindTraces::cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
                        rc_drive_result result) {
     if (whole_ != nullptr) whole_->cycle(robot, step, inputs, outputs, result);
-    const auto behind = std::upper_bound(first_.begin(), first_.end(), robot);
+    const auto behind = std::ranges::upper_bound(first_, robot);
     const auto kind = static_cast<std::size_t>(behind - first_.begin()) - 1;
     last_ = parts_[kind].get();
     if (parts_[kind] != nullptr) parts_[kind]->cycle(robot - first_[kind], step, inputs, outputs, result);
@@ -27,8 +27,8 @@ const Objection* KindTraces::objection() const {
 
 bool KindTraces::decided() const {
     return (whole_ == nullptr || whole_->decided()) &&
-           std::all_of(parts_.begin(), parts_.end(),
-                       [](const std::unique_ptr<Trace>& part) { return part == nullptr || part->decided(); });
+           std::ranges::all_of(parts_,
+                               [](const std::unique_ptr<Trace>& part) { return part == nullptr || part->decided(); });
 }
 
 Guard::Maker for_each_kind(const Scenario& scenario, std::vector<Guard::Maker> makers, Guard::Maker whole) {

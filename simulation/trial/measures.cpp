@@ -30,7 +30,7 @@ public:
         size_[a] += size_[b];
         --count_;
     }
-    [[nodiscard]] Clusters result() const { return {count_, *std::max_element(size_.begin(), size_.end())}; }
+    [[nodiscard]] Clusters result() const { return {count_, *std::ranges::max_element(size_)}; }
 
 private:
     std::uint32_t root(std::uint32_t a) {
@@ -49,8 +49,7 @@ Clusters clusters(const std::vector<Pose>& poses, double link) {
     // Sorted by x: only robots whose x differs by less than a link can be linked.
     std::vector<std::uint32_t> order(poses.size());
     std::iota(order.begin(), order.end(), std::uint32_t{0});
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return poses[a].at.x < poses[b].at.x; });
+    std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) { return poses[a].at.x < poses[b].at.x; });
     Groups groups(poses.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         for (std::size_t j = i + 1; j < order.size(); ++j) {
@@ -96,13 +95,13 @@ double second_moment(const std::vector<Pose>& poses, double radius) {
 }
 
 double share_within(const std::vector<Pose>& poses, Vector point, double distance) {
-    const auto near = std::count_if(poses.begin(), poses.end(),
-                                    [&](const Pose& pose) { return length(pose.at - point) <= distance; });
+    const auto near =
+        std::ranges::count_if(poses, [&](const Pose& pose) { return length(pose.at - point) <= distance; });
     return poses.empty() ? 0 : static_cast<double>(near) / static_cast<double>(poses.size());
 }
 
 double share_inside(const std::vector<Pose>& poses, const Region& region) {
-    const auto there = std::count_if(poses.begin(), poses.end(), [&](const Pose& pose) {
+    const auto there = std::ranges::count_if(poses, [&](const Pose& pose) {
         return region.low.x <= pose.at.x && pose.at.x <= region.high.x && region.low.y <= pose.at.y &&
                pose.at.y <= region.high.y;
     });
@@ -131,8 +130,7 @@ double share_in(const Measure& measure, const Frame& frame) {
     if (frame.states.empty()) return 0;
     std::size_t there = 0;
     for (std::size_t robot = 0; robot < frame.poses.size(); ++robot)
-        if (std::find(measure.states.begin(), measure.states.end(), frame.state(robot)) != measure.states.end())
-            ++there;
+        if (std::ranges::find(measure.states, frame.state(robot)) != measure.states.end()) ++there;
     return static_cast<double>(there) / static_cast<double>(frame.poses.size());
 }
 
@@ -158,10 +156,9 @@ double measured(const Scenario& scenario, const Measure& measure, const Frame& a
         case MeasureKind::in_state:
             return share_in(measure, frame);
         case MeasureKind::working:
-            return frame.working.empty()
-                       ? 1
-                       : static_cast<double>(std::count(frame.working.begin(), frame.working.end(), true)) /
-                             static_cast<double>(frame.working.size());
+            return frame.working.empty() ? 1
+                                         : static_cast<double>(std::ranges::count(frame.working, true)) /
+                                               static_cast<double>(frame.working.size());
     }
     return 0;
 }
@@ -190,7 +187,7 @@ bool is_ambiguous(const Scenario& scenario, const Measure& measure, const Machin
     for (std::size_t kind = 0; kind < scenario.kinds() && !scenario.others.empty(); ++kind)
         if (scenario.kind_at(kind).kind.text == measure.state.text) return true;
     std::set<std::string> names;
-    return std::any_of(measure.states.begin(), measure.states.end(), [&](std::uint16_t state) {
+    return std::ranges::any_of(measure.states, [&](std::uint16_t state) {
         return !names.insert(machines.front().states[state]).second;  // in an unnamed kind and in another
     });
 }

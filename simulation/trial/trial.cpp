@@ -573,8 +573,8 @@ private:
 
     void observe() {
         const bool keep = options_.record && due();
-        const bool asked = std::any_of(properties_.begin(), properties_.end(),
-                                       [&](const Property& property) { return property.due(result_.steps); });
+        const bool asked =
+            std::ranges::any_of(properties_, [&](const Property& property) { return property.due(result_.steps); });
         const bool sampled = scenario_.abstraction && result_.steps % scenario_.steps_apart() == 0;
         if (!keep && !asked && !sampled && !statistics_.due(result_.steps)) return;
         Frame frame = frame_now(keep || states_are_measured());
@@ -591,8 +591,8 @@ private:
     }
 
     [[nodiscard]] bool states_are_measured() const {
-        return std::any_of(scenario_.measures.begin(), scenario_.measures.end(),
-                           [](const Measure& measure) { return measure.kind == MeasureKind::in_state; });
+        return std::ranges::any_of(scenario_.measures,
+                                   [](const Measure& measure) { return measure.kind == MeasureKind::in_state; });
     }
 
     [[nodiscard]] Frame frame_now(bool with_states) {
@@ -616,7 +616,7 @@ private:
         const double step = scenario_.world.control_step;
         const auto gap = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(scenario_.record / step)));
         if (result_.steps % gap == 0 || result_.steps == scenario_.steps()) return true;
-        return std::any_of(scenario_.pictures.begin(), scenario_.pictures.end(), [&](double at) {
+        return std::ranges::any_of(scenario_.pictures, [&](double at) {
             return result_.steps == static_cast<std::uint64_t>(std::llround(at / step));
         });
     }

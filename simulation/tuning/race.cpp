@@ -47,8 +47,7 @@ std::vector<bool> kept_by_ranks(const std::vector<statistics::Block>& blocks) {
     const std::size_t candidates = blocks.front().size();
     const statistics::Friedman found = statistics::friedman(blocks);
     std::vector<bool> kept(candidates, true);
-    const auto best =
-        static_cast<std::size_t>(std::min_element(found.sums.begin(), found.sums.end()) - found.sums.begin());
+    const auto best = static_cast<std::size_t>(std::ranges::min_element(found.sums) - found.sums.begin());
     if (candidates == 2) {
         kept[1 - best] = statistics::signed_rank(differences(blocks, 1 - best, best)) >= elimination_error;
         return kept;
@@ -61,7 +60,7 @@ std::vector<bool> kept_by_ranks(const std::vector<statistics::Block>& blocks) {
 
 std::vector<bool> kept_by_means(const std::vector<statistics::Block>& blocks) {
     const std::vector<double> sums = totals(blocks, false);
-    const auto best = static_cast<std::size_t>(std::min_element(sums.begin(), sums.end()) - sums.begin());
+    const auto best = static_cast<std::size_t>(std::ranges::min_element(sums) - sums.begin());
     std::vector<bool> kept(sums.size(), true);
     for (std::size_t c = 0; c < sums.size(); ++c)
         kept[c] = c == best || statistics::paired_t(differences(blocks, c, best)) >= elimination_error;
@@ -71,8 +70,7 @@ std::vector<bool> kept_by_means(const std::vector<statistics::Block>& blocks) {
 }  // namespace
 
 std::uint64_t RaceEntry::trials() const {
-    return static_cast<std::uint64_t>(
-        std::count_if(costs.begin(), costs.end(), [](const auto& cost) { return cost.has_value(); }));
+    return static_cast<std::uint64_t>(std::ranges::count_if(costs, [](const auto& cost) { return cost.has_value(); }));
 }
 
 double RaceEntry::mean() const {
@@ -164,7 +162,7 @@ RaceEntry Race::near_an_elite() {
 }
 
 std::uint64_t Race::missing(const std::vector<std::size_t>& alive, std::uint64_t seed) const {
-    return static_cast<std::uint64_t>(std::count_if(alive.begin(), alive.end(), [&](std::size_t each) {
+    return static_cast<std::uint64_t>(std::ranges::count_if(alive, [&](std::size_t each) {
         const auto& costs = entries_[each].costs;
         return seed >= costs.size() || !costs[seed];
     }));
@@ -210,9 +208,9 @@ void Race::compete(std::vector<std::size_t> alive, std::uint64_t share) {
         if (!lead(alive, done)) break;
         const std::vector<std::size_t> kept = not_worse(alive, done);
         std::erase_if(alive, [&](std::size_t each) {
-            const bool elite = std::find(elites_.begin(), elites_.end(), each) != elites_.end();
+            const bool elite = std::ranges::find(elites_, each) != elites_.end();
             const bool shielded = elite && done.size() <= known;
-            return !shielded && std::find(kept.begin(), kept.end(), each) == kept.end();
+            return !shielded && std::ranges::find(kept, each) == kept.end();
         });
         if (alive.size() <= survivors()) break;
     }
@@ -230,7 +228,7 @@ std::vector<std::size_t> Race::ranked(std::vector<std::size_t> alive, const std:
     const std::vector<double> by_cost = totals(blocks, false);
     std::vector<std::size_t> order(alive.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
         return by_rank[a] != by_rank[b] ? by_rank[a] < by_rank[b] : by_cost[a] < by_cost[b];
     });
     std::vector<std::size_t> result;

@@ -139,10 +139,10 @@ std::optional<Parameter> read_parameter(const std::string& name, const std::stri
         begin = end + 1;
     }
     std::vector<std::string> sorted = parameter.listed;
-    std::sort(sorted.begin(), sorted.end());
-    if (std::any_of(sorted.begin(), sorted.end(), [](const std::string& each) { return each.empty(); }))
+    std::ranges::sort(sorted);
+    if (std::ranges::any_of(sorted, [](const std::string& each) { return each.empty(); }))
         error = "a value of the list is empty";
-    else if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+    else if (std::ranges::adjacent_find(sorted) != sorted.end())
         error = "a value is listed twice";
     else if (sorted.size() > most_listed)
         error = fmt::format("a list has at most {} values", most_listed);

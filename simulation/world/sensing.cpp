@@ -143,7 +143,7 @@ void Sensing::neighbours(std::size_t robot, double reach) {
         for (std::int32_t column = first.column; column <= last.column; ++column)
             for (const std::uint32_t j : cells_.disks({column, row}))
                 if (j != robot && !is_silent(j)) near_.push_back(j);
-    std::sort(near_.begin(), near_.end());
+    std::ranges::sort(near_);
 }
 
 /// A message arrives from a robot in range that is not hidden, unless it is lost; its distance is noisy.
@@ -173,7 +173,7 @@ const std::vector<Bearing>& Sensing::range_and_bearing(std::size_t robot, const 
 
 bool Sensing::somebody_within(std::size_t robot, const RangeAndBearing& sensor, double within) {
     neighbours(robot, std::min(sensor.range, within + 6 * sensor.noise));
-    return std::any_of(near_.begin(), near_.end(), [&](std::uint32_t other) {
+    return std::ranges::any_of(near_, [&](std::uint32_t other) {
         return hear(static_cast<std::uint32_t>(robot), other, sensor, within).has_value();
     });
 }

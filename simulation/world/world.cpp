@@ -40,8 +40,8 @@ private:
         if (in_column == squares_.end()) return false;
         const auto in_row = in_column->second.find(square(at.y, row));
         if (in_row == in_column->second.end()) return false;
-        return std::any_of(in_row->second.begin(), in_row->second.end(),
-                           [&](Vector other) { return dot(other - at, other - at) < reach_ * reach_; });
+        return std::ranges::any_of(in_row->second,
+                                   [&](Vector other) { return dot(other - at, other - at) < reach_ * reach_; });
     }
 
     double reach_;
@@ -107,10 +107,11 @@ public:
     void take(Vector at) { places_.take(at); }
     [[nodiscard]] bool is_free(Vector at) const {
         return places_.is_free(at) &&
-               std::all_of(arena_.walls.begin(), arena_.walls.end(),
-                           [&](const Segment& wall) { return length(nearest_point(wall, at) - at) >= radius_; }) &&
-               std::none_of(arena_.obstacles.begin(), arena_.obstacles.end(),
-                            [&](const std::vector<Vector>& obstacle) { return is_inside(obstacle, at); });
+               std::ranges::all_of(
+                   arena_.walls,
+                   [&](const Segment& wall) { return length(nearest_point(wall, at) - at) >= radius_; }) &&
+               std::ranges::none_of(arena_.obstacles,
+                                    [&](const std::vector<Vector>& obstacle) { return is_inside(obstacle, at); });
     }
     [[nodiscard]] bool in_arena(Vector at) const {
         return !arena_.walled ||

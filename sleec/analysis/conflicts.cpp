@@ -26,7 +26,7 @@ Events events_of(const std::vector<Obligation>& obligations) {
 }
 
 bool have_common(const std::set<std::size_t>& a, const std::set<std::size_t>& b) {
-    return std::any_of(a.begin(), a.end(), [&](std::size_t event) { return b.contains(event); });
+    return std::ranges::any_of(a, [&](std::size_t event) { return b.contains(event); });
 }
 
 /// False if there is no event that one rule demands and each of the others forbids; then there is no conflict and no
@@ -86,10 +86,10 @@ private:
             if (found_.size() >= most) return;
             if (next == path_.front()) {
                 std::vector<std::size_t> cycle = path_;
-                std::sort(cycle.begin(), cycle.end());
+                std::ranges::sort(cycle);
                 found_.insert(std::move(cycle));
             } else if (next > path_.front() && path_.size() < longest &&
-                       std::find(path_.begin(), path_.end(), next) == path_.end()) {
+                       std::ranges::find(path_, next) == path_.end()) {
                 path_.push_back(next);
                 extend();
                 path_.pop_back();
@@ -188,7 +188,7 @@ private:
     }
 
     [[nodiscard]] const Opened& find(const OpenObligation& open) const {
-        return *std::find_if(open_.begin(), open_.end(), [&](const Opened& each) { return each.open == open; });
+        return *std::ranges::find_if(open_, [&](const Opened& each) { return each.open == open; });
     }
 
     [[nodiscard]] Side side(const OpenObligation& open, std::size_t event, bool forbids) const {
@@ -245,12 +245,12 @@ std::optional<std::vector<lts::Event>> endless_instant(RuleSystem& system, const
             waiting.push_back(each);
         }
     }
-    const auto found = std::find(passes.begin(), passes.end(), false);
+    const auto found = std::ranges::find(passes, false);
     if (found == passes.end()) return std::nullopt;
     std::vector<lts::Event> steps;
     for (auto at = static_cast<lts::StateIndex>(found - passes.begin()); at != 0; at = reached[at].first)
         steps.push_back(reached[at].second);
-    std::reverse(steps.begin(), steps.end());
+    std::ranges::reverse(steps);
     return steps;
 }
 
@@ -351,9 +351,9 @@ private:
             for (const Known& each : known_) {
                 if (!have_common(demanded, each.events.forbidden)) continue;
                 std::vector<std::size_t> more = cycle;
-                if (std::find(more.begin(), more.end(), each.rule) != more.end()) continue;
+                if (std::ranges::find(more, each.rule) != more.end()) continue;
                 more.push_back(each.rule);
-                std::sort(more.begin(), more.end());
+                std::ranges::sort(more);
                 result.insert(std::move(more));
             }
         }
@@ -373,7 +373,7 @@ private:
                  std::vector<std::size_t>& chosen) {
         if (chosen.size() == size) {
             std::vector<std::size_t> sorted = chosen;
-            std::sort(sorted.begin(), sorted.end());
+            std::ranges::sort(sorted);
             return ask(std::move(sorted));
         }
         for (std::size_t i = from; i < others.size(); ++i) {
@@ -384,9 +384,8 @@ private:
     }
 
     void ask(std::vector<std::size_t> asked) {
-        const bool smaller = std::any_of(conflicts_.begin(), conflicts_.end(), [&](const auto& each) {
-            return std::includes(asked.begin(), asked.end(), each.begin(), each.end());
-        });
+        const bool smaller =
+            std::ranges::any_of(conflicts_, [&](const auto& each) { return std::ranges::includes(asked, each); });
         if ((smaller && asked.size() > 2) || !asked_.insert(asked).second) return;
         ConflictAnswer answer = find_conflict(rules_, asked, options_);
         if (answer.conflict == Answer::yes && answer.example->endless && smaller)
@@ -429,7 +428,7 @@ void for_each_question(const CheckedRules& rules, const AnalysisOptions& options
 /// Measures are unconstrained, and other triggers may or may not occur, so only the same occurrence can imply it.
 bool redundant(const CheckedRules& rules, std::size_t rule, std::size_t by, const AnalysisOptions& options) {
     const auto all = samples(rules, {rule, by}, rules.rules[rule].trigger, options.without_limit, options.budget);
-    return std::all_of(all.begin(), all.end(), [](const Sample& sample) {
+    return std::ranges::all_of(all, [](const Sample& sample) {
         if (!sample.obligations[0] || always_fulfilled(*sample.obligations[0])) return true;
         return sample.obligations[1] && implies(*sample.obligations[1], *sample.obligations[0]);
     });
@@ -437,9 +436,8 @@ bool redundant(const CheckedRules& rules, std::size_t rule, std::size_t by, cons
 
 bool asks_for_nothing(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options) {
     const auto all = samples(rules, {rule}, rules.rules[rule].trigger, options.without_limit, options.budget);
-    return std::none_of(all.begin(), all.end(), [](const Sample& sample) {
-        return sample.obligations[0] && !always_fulfilled(*sample.obligations[0]);
-    });
+    return std::ranges::none_of(
+        all, [](const Sample& sample) { return sample.obligations[0] && !always_fulfilled(*sample.obligations[0]); });
 }
 
 }  // namespace robochart::sleec

@@ -78,7 +78,7 @@ std::vector<std::string> explain(const Conflict& conflict, const CheckedRules& r
     std::vector<const Side*> sides;
     for (const auto* each : {&conflict.due, &conflict.forbidding})
         for (const Side& side : *each) sides.push_back(&side);
-    std::stable_sort(sides.begin(), sides.end(), [](const Side* a, const Side* b) { return a->began < b->began; });
+    std::ranges::stable_sort(sides, [](const Side* a, const Side* b) { return a->began < b->began; });
     std::vector<std::string> lines;
     for (const Side* each : sides) lines.push_back(side_text(*each, rules, sources));
     if (!conflict.besides.empty())

@@ -86,7 +86,7 @@ public:
         answer.possible = Answer::yes;
         for (StateIndex at = *end; at != 0; at = from_[at].first)
             if (from_[at].second) answer.history.push_back(*from_[at].second);
-        std::reverse(answer.history.begin(), answer.history.end());
+        std::ranges::reverse(answer.history);
         return answer;
     }
 
@@ -122,7 +122,7 @@ private:
     }
 
     std::size_t number_of(const Obligation& obligation) {
-        const auto found = std::find(obligations_.begin(), obligations_.end(), obligation);
+        const auto found = std::ranges::find(obligations_, obligation);
         if (found != obligations_.end()) return static_cast<std::size_t>(found - obligations_.begin());
         obligations_.push_back(obligation);
         return obligations_.size() - 1;
@@ -152,7 +152,7 @@ private:
             const Effect effect = take_event(obligations_[state.to_break->obligation], progress, event);
             if (effect == Effect::broken || progress != state.to_break->progress) return true;
         }
-        return std::any_of(state.open.begin(), state.open.end(), [&](const OpenDuty& each) {
+        return std::ranges::any_of(state.open, [&](const OpenDuty& each) {
             Progress progress = each.progress;
             return take_event(obligations_[each.obligation], progress, event) == Effect::fulfilled;
         });
@@ -193,7 +193,7 @@ private:
             if (part) then.awaited = false;
             if (part && property_.duty && !take_part(then, *own, event)) return;
             if (during) then.during = false;
-            std::sort(then.open.begin(), then.open.end());
+            std::ranges::sort(then.open);
             then.open.erase(std::unique(then.open.begin(), then.open.end()), then.open.end());
             add(then, at, Happening{0, event, sample.values, part || during});
         };
@@ -243,7 +243,7 @@ private:
             if (effect == Effect::broken) return;
             if (effect == Effect::open) next.open.push_back(each);
         }
-        std::sort(next.open.begin(), next.open.end());
+        std::ranges::sort(next.open);
         next.open.erase(std::unique(next.open.begin(), next.open.end()), next.open.end());
         add(next, at, std::nullopt);
     }
@@ -266,7 +266,7 @@ private:
 
     /// True if no further event is needed: every open duty has a prohibition that can still be satisfied.
     [[nodiscard]] bool is_quiet(const State& state) const {
-        return has_come(state) && std::all_of(state.open.begin(), state.open.end(), [&](const OpenDuty& duty) {
+        return has_come(state) && std::ranges::all_of(state.open, [&](const OpenDuty& duty) {
                    const Obligation& obligation = obligations_[duty.obligation];
                    for (std::size_t i = 0; i < obligation.any.size(); ++i)
                        if (obligation.any[i].forbids && (duty.progress.broken >> i & 1U) == 0) return true;
@@ -283,7 +283,7 @@ private:
         const std::vector<StateIndex> roots{0};
         std::optional<StateIndex> found;
         lts::strong_components(view, roots, [&](std::span<const StateIndex> members, bool) {
-            const StateIndex least = *std::min_element(members.begin(), members.end());
+            const StateIndex least = *std::ranges::min_element(members);
             if ((!found || least < *found) && passes(members)) found = least;
         });
         return found;
@@ -325,8 +325,8 @@ private:
             const Demand& each = obligation.any[i];
             if (each.forbids && (duty.progress.broken >> i & 1U) == 0) return false;
         }
-        return std::any_of(obligation.any.begin(), obligation.any.end(),
-                           [](const Demand& each) { return !each.forbids && each.end == forever; });
+        return std::ranges::any_of(obligation.any,
+                                   [](const Demand& each) { return !each.forbids && each.end == forever; });
     }
 
     CheckedRules rules_;  ///< followed by the property

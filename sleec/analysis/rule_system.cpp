@@ -38,7 +38,7 @@ std::set<std::size_t> named_events(const CheckedRules& rules, const Question& qu
 }
 
 std::size_t interned(std::vector<Obligation>& known, const Obligation& obligation) {
-    const auto found = std::find(known.begin(), known.end(), obligation);
+    const auto found = std::ranges::find(known, obligation);
     if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
     check_sizes(obligation);
     if (known.size() + 1 >= 1U << kind_bits) throw NotDecided("a rule can ask for too many different things");
@@ -52,7 +52,7 @@ std::optional<OpenObligation> Question::opened(const Occurrence& occurrence, std
     const auto& obligation = occurrence.sample.obligations[rule];
     if (!obligation) return std::nullopt;
     const auto& known = obligations[rule];
-    const auto found = std::find(known.begin(), known.end(), *obligation);
+    const auto found = std::ranges::find(known, *obligation);
     return OpenObligation{rule, static_cast<std::size_t>(found - known.begin()), {}};
 }
 
@@ -161,7 +161,7 @@ std::size_t unasked_occurrences(const Question& question) {
         alternatives = std::max(alternatives, last_alternatives(question.obligations[rule]));
         for (const Obligation& each : question.obligations[rule]) {
             const auto forbidding =
-                std::count_if(each.any.begin(), each.any.end(), [](const Demand& demand) { return demand.forbids; });
+                std::ranges::count_if(each.any, [](const Demand& demand) { return demand.forbids; });
             if (each.any.size() > 1) breakable = std::max(breakable, static_cast<std::size_t>(forbidding));
         }
     }
@@ -180,7 +180,7 @@ std::size_t RuleSystem::width() const {
 }
 
 void RuleSystem::initial(std::span<lts::Word> state) {
-    std::fill(state.begin(), state.end(), 0U);
+    std::ranges::fill(state, 0U);
     state[0] = static_cast<lts::Word>(unasked_occurrences(question_));
 }
 
@@ -217,7 +217,7 @@ void RuleSystem::add(const State& state, lts::Event event, lts::SuccessorSink& s
 }
 
 std::optional<std::size_t> RuleSystem::occurrence(lts::Event event) const {
-    const auto found = std::find(names_.begin(), names_.end(), event);
+    const auto found = std::ranges::find(names_, event);
     if (found == names_.end()) return std::nullopt;
     return static_cast<std::size_t>(found - names_.begin());
 }
@@ -280,12 +280,12 @@ bool RuleSystem::dominated(const OpenObligation& a, const OpenObligation& b) con
 }
 
 void RuleSystem::simplify(std::vector<OpenObligation>& open) const {
-    std::sort(open.begin(), open.end());
+    std::ranges::sort(open);
     open.erase(std::unique(open.begin(), open.end()), open.end());
     std::vector<OpenObligation> left;
     for (const OpenObligation& each : open)
-        if (std::none_of(open.begin(), open.end(),
-                         [&](const OpenObligation& other) { return !(other == each) && dominated(each, other); }))
+        if (std::ranges::none_of(
+                open, [&](const OpenObligation& other) { return !(other == each) && dominated(each, other); }))
             left.push_back(each);
     open = std::move(left);
 }

@@ -303,8 +303,7 @@ private:
     }
 
     static std::optional<int> place_on(const Measure& scale, const std::string& literal) {
-        const auto found = std::find_if(scale.literals.begin(), scale.literals.end(),
-                                        [&](const Name& each) { return each.text == literal; });
+        const auto found = std::ranges::find_if(scale.literals, [&](const Name& each) { return each.text == literal; });
         if (found == scale.literals.end()) return std::nullopt;
         return static_cast<int>(found - scale.literals.begin());
     }

@@ -50,7 +50,7 @@ std::vector<std::pair<StateIndex, Edge>> way(const Graph& graph, StateIndex from
         }
     }
     for (StateIndex at = to; at != from; at = reached[at].first) result.push_back(reached[at]);
-    std::reverse(result.begin(), result.end());
+    std::ranges::reverse(result);
     return result;
 }
 

@@ -61,8 +61,7 @@ Tree some_left(const Obligation& obligation) {
 }
 
 bool waits_for_ever(const Obligation& obligation) {
-    return std::any_of(obligation.any.begin(), obligation.any.end(),
-                       [](const Demand& each) { return !each.forbids && each.end == forever; });
+    return std::ranges::any_of(obligation.any, [](const Demand& each) { return !each.forbids && each.end == forever; });
 }
 
 const Demand* prohibition(const Obligation& obligation) {
@@ -162,10 +161,9 @@ Tree Watch::class_of(const Followed& followed, const Tree& value) const {
 }
 
 std::size_t Watch::obligation(const Obligation& obligation) {
-    const auto found = std::find(obligations_.begin(), obligations_.end(), obligation);
+    const auto found = std::ranges::find(obligations_, obligation);
     if (found != obligations_.end()) return static_cast<std::size_t>(found - obligations_.begin());
-    if (std::count_if(obligation.any.begin(), obligation.any.end(), [](const Demand& each) { return each.forbids; }) >
-        1)
+    if (std::ranges::count_if(obligation.any, [](const Demand& each) { return each.forbids; }) > 1)
         throw NotDecided("a rule with several prohibitions behind each other");
     obligations_.push_back(obligation);
     return obligations_.size() - 1;
@@ -215,7 +213,7 @@ Tree Watch::started(std::size_t from, Valuation classes) const {
         std::size_t way = 0;
         for (std::size_t i = 0; i < followed_.size(); ++i) {
             const auto& known = followed_[i].classes;
-            const auto place = std::find(known.begin(), known.end(), classes[i]) - known.begin();
+            const auto place = std::ranges::find(known, classes[i]) - known.begin();
             way = way * known.size() + static_cast<std::size_t>(place);
         }
         if (ways_[way].obligation >= obligations_.size()) return build::name(free_process);
@@ -370,7 +368,7 @@ std::vector<DeclPtr> Watch::wrong() const {
 Tree Watch::on_event(std::size_t index, bool broken, std::size_t event) const {
     const Obligation& obligation = obligations_[index];
     const auto& ended_by = obligation.ended_by;
-    if (std::find(ended_by.begin(), ended_by.end(), event) != ended_by.end()) return build::name(free_process);
+    if (std::ranges::find(ended_by, event) != ended_by.end()) return build::name(free_process);
     Exprs same{time()};
     for (std::size_t i = 0; i < followed_.size(); ++i) same.push_back(build::name(variable(i)));
     Tree result = build::call(open_process(index, broken), same);
@@ -461,12 +459,12 @@ std::vector<DeclPtr> Watch::declarations() const {
 }
 
 bool Watch::has_demand_without_limit() const {
-    return std::any_of(obligations_.begin(), obligations_.end(), waits_for_ever);
+    return std::ranges::any_of(obligations_, waits_for_ever);
 }
 
 bool Watch::reads() const {
-    return std::any_of(followed_.begin(), followed_.end(),
-                       [&](const Followed& each) { return linking_.measures[each.measure].has_value(); });
+    return std::ranges::any_of(followed_,
+                               [&](const Followed& each) { return linking_.measures[each.measure].has_value(); });
 }
 
 /// A terminated component has no further steps, but time continues.

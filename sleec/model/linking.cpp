@@ -101,7 +101,7 @@ private:
         }
         if (type.kind != ir::TypeKind::enumeration) return wrong;
         for (const Name& literal : measure.literals) {
-            const auto found = std::find(type.labels.begin(), type.labels.end(), literal.text);
+            const auto found = std::ranges::find(type.labels, literal.text);
             if (found == type.labels.end() || type.labels.size() != measure.literals.size())
                 return fmt::format("the values of '{}' are not those of {}", measure.name.text, type.name);
             linked.literals.push_back(

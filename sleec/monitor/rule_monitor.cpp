@@ -38,8 +38,7 @@ std::vector<std::pair<Valuation, std::optional<Obligation>>> possible(const Chec
     std::vector<std::pair<Valuation, std::optional<Obligation>>> result;
     for (Valuation& each : all) {
         auto asked = obligation_of(rules.rules[rule], each, without);
-        const bool known =
-            std::any_of(result.begin(), result.end(), [&](const auto& other) { return other.second == asked; });
+        const bool known = std::ranges::any_of(result, [&](const auto& other) { return other.second == asked; });
         if (!known) result.emplace_back(std::move(each), std::move(asked));
     }
     return result;
@@ -61,8 +60,7 @@ void RuleMonitor::event(std::size_t event, const MeasureReadings& values) {
 void RuleMonitor::trigger(std::size_t rule, const MeasureReadings& values) {
     auto all = possible(rules_, rule, values, without_);
     if (all.size() > 1) {
-        if (std::find(open_triggers_.begin(), open_triggers_.end(), rule) == open_triggers_.end())
-            open_triggers_.push_back(rule);
+        if (std::ranges::find(open_triggers_, rule) == open_triggers_.end()) open_triggers_.push_back(rule);
         return;
     }
     auto& [valuation, asked] = all.front();
@@ -89,7 +87,7 @@ void RuleMonitor::after(Open open, Effect effect, std::optional<std::size_t> eve
 
 /// If duties of a rule are identical from now on, only the oldest is kept.
 void RuleMonitor::keep(Open open, std::vector<Open>& open_now) const {
-    const bool known = std::any_of(open_now.begin(), open_now.end(), [&](const Open& other) {
+    const bool known = std::ranges::any_of(open_now, [&](const Open& other) {
         return other.rule == open.rule && other.progress == open.progress && other.obligation == open.obligation;
     });
     if (!known) open_now.push_back(std::move(open));

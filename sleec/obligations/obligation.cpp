@@ -58,7 +58,7 @@ struct Window {
 
 /// True if these windows together cover `window`.
 bool covered(Window window, std::vector<Window> by) {
-    std::sort(by.begin(), by.end(), [](const Window& a, const Window& b) { return a.begin < b.begin; });
+    std::ranges::sort(by, [](const Window& a, const Window& b) { return a.begin < b.begin; });
     for (const Window& each : by) {
         if (each.begin > window.begin) return false;
         if (each.end == forever || each.end >= window.end) return true;
@@ -81,13 +81,13 @@ bool some_prohibition_within(const Obligation& of, std::size_t event, const std:
     std::vector<Window> closed = windows(of, false, event);
     closed.insert(closed.end(), assumed.begin(), assumed.end());
     const std::vector<Window> prohibitions = windows(of, true, event);
-    return std::any_of(prohibitions.begin(), prohibitions.end(), [&](Window each) { return covered(each, closed); });
+    return std::ranges::any_of(prohibitions, [&](Window each) { return covered(each, closed); });
 }
 
 }  // namespace
 
 bool always_fulfilled(const Obligation& obligation) {
-    return std::any_of(obligation.any.begin(), obligation.any.end(), [&](const Demand& each) {
+    return std::ranges::any_of(obligation.any, [&](const Demand& each) {
         return each.forbids && some_prohibition_within(obligation, each.event, {});
     });
 }
@@ -109,8 +109,8 @@ std::optional<Obligation> obligation_of(const CheckedRule& rule, const Valuation
 bool implies(const Obligation& stronger, const Obligation& weaker) {
     if (always_fulfilled(weaker)) return true;
     for (const std::size_t event : stronger.ended_by)
-        if (std::find(weaker.ended_by.begin(), weaker.ended_by.end(), event) == weaker.ended_by.end()) return false;
-    return std::all_of(stronger.any.begin(), stronger.any.end(), [&](const Demand& each) {
+        if (std::ranges::find(weaker.ended_by, event) == weaker.ended_by.end()) return false;
+    return std::ranges::all_of(stronger.any, [&](const Demand& each) {
         if (!each.forbids) return covered({each.begin, each.end}, windows(weaker, false, each.event));
         return some_prohibition_within(weaker, each.event, {{each.begin, each.end}});
     });

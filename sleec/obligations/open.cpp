@@ -28,8 +28,7 @@ bool some_can_hold(const Obligation& obligation, const Progress& progress) {
 }  // namespace
 
 Effect take_event(const Obligation& obligation, Progress& progress, std::size_t event) {
-    if (std::find(obligation.ended_by.begin(), obligation.ended_by.end(), event) != obligation.ended_by.end())
-        return Effect::fulfilled;
+    if (std::ranges::find(obligation.ended_by, event) != obligation.ended_by.end()) return Effect::fulfilled;
     for (std::size_t i = 0; i < obligation.any.size(); ++i) {
         const Demand& demand = obligation.any[i];
         if (demand.event != event || progress.elapsed < demand.begin || progress.elapsed > demand.end) continue;

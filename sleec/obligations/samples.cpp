@@ -117,7 +117,7 @@ private:
 std::vector<std::size_t> measures_of(const CheckedRule& rule) {
     std::vector<std::size_t> result;
     visit(rule, [&](const Condition& each) {
-        if (each.op == Op::name && std::find(result.begin(), result.end(), each.measure) == result.end())
+        if (each.op == Op::name && std::ranges::find(result, each.measure) == result.end())
             result.push_back(each.measure);
     });
     return result;
@@ -177,7 +177,7 @@ std::vector<Sample> samples(const CheckedRules& rules, const std::vector<std::si
         if (rules.rules[rule].trigger != event) continue;
         triggered.push_back(rule);
         for (const std::size_t each : measures_of(rules.rules[rule]))
-            if (std::find(measures.begin(), measures.end(), each) == measures.end()) measures.push_back(each);
+            if (std::ranges::find(measures, each) == measures.end()) measures.push_back(each);
     }
     const auto values = representatives(rules, triggered);
     Valuations valuations(values, measures);
@@ -189,8 +189,8 @@ std::vector<Sample> samples(const CheckedRules& rules, const std::vector<std::si
             sample.obligations.push_back(rules.rules[rule].trigger == event
                                              ? obligation_of(rules.rules[rule], sample.values, without)
                                              : std::nullopt);
-        const bool known = std::any_of(result.begin(), result.end(),
-                                       [&](const Sample& other) { return other.obligations == sample.obligations; });
+        const bool known =
+            std::ranges::any_of(result, [&](const Sample& other) { return other.obligations == sample.obligations; });
         if (!known) result.push_back(std::move(sample));
     } while (valuations.next());
     return result;

@@ -27,7 +27,7 @@ void mentions(const Condition& condition, std::vector<std::size_t>& result) {
 
 void events_in(const DutyPtr& duty, std::vector<std::size_t>& events) {
     if (!duty) return;
-    if (std::find(events.begin(), events.end(), duty->event) == events.end()) events.push_back(duty->event);
+    if (std::ranges::find(events, duty->event) == events.end()) events.push_back(duty->event);
     events_in(duty->otherwise, events);
     for (const CheckedDefeater& each : duty->defeaters) events_in(each.duty, events);
 }
@@ -229,8 +229,8 @@ std::vector<std::size_t> Encoding::events_of(std::size_t rule) const {
 std::vector<std::size_t> Encoding::measures_of_pair(std::size_t first, std::size_t second) const {
     std::vector<std::size_t> result = measures_of(rules_.rules[first]);
     for (const std::size_t each : measures_of(rules_.rules[second]))
-        if (std::find(result.begin(), result.end(), each) == result.end()) result.push_back(each);
-    std::sort(result.begin(), result.end());
+        if (std::ranges::find(result, each) == result.end()) result.push_back(each);
+    std::ranges::sort(result);
     return result;
 }
 
@@ -261,7 +261,7 @@ std::vector<DeclPtr> Encoding::conflict(std::size_t first, std::size_t second) c
     std::vector<std::size_t> common;
     const std::vector<std::size_t> others = events_of(second);
     for (const std::size_t each : events_of(first))
-        if (std::find(others.begin(), others.end(), each) != others.end()) common.push_back(each);
+        if (std::ranges::find(others, each) != others.end()) common.push_back(each);
     const std::string id = fmt::format("{}_{}", first, second);
     Decls timed;
     Exprs environment;
@@ -302,7 +302,7 @@ std::vector<DeclPtr> Encoding::memory(std::size_t first, std::size_t second, con
     const std::vector<std::size_t> measures = measures_of_pair(first, second);
     std::vector<std::size_t> events = events_of(first);
     for (const std::size_t each : events_of(second))
-        if (std::find(events.begin(), events.end(), each) == events.end()) events.push_back(each);
+        if (std::ranges::find(events, each) == events.end()) events.push_back(each);
     const std::string provide = "Provide" + called;
     Exprs parameters, offered, types;
     std::vector<std::string> variables;
@@ -372,8 +372,8 @@ cspm::Script Encoding::script(const std::vector<std::pair<std::size_t, std::size
     std::vector<std::size_t> asked;
     for (const auto& [first, second] : pairs)
         for (const std::size_t each : {first, second})
-            if (std::find(asked.begin(), asked.end(), each) == asked.end()) asked.push_back(each);
-    std::sort(asked.begin(), asked.end());
+            if (std::ranges::find(asked, each) == asked.end()) asked.push_back(each);
+    std::ranges::sort(asked);
     cspm::Script script;
     const auto add = [&](Decls decls) { script.decls.insert(script.decls.end(), decls.begin(), decls.end()); };
     add(channels());

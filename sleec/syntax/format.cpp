@@ -23,7 +23,7 @@ bool is_block_word(std::string_view word) {
 
 bool no_blank_between(const Token& left, const Token& right) {
     const auto is_any = [](const Token& token, std::initializer_list<std::string_view> texts) {
-        return token.kind == Tok::symbol && std::find(texts.begin(), texts.end(), token.text) != texts.end();
+        return token.kind == Tok::symbol && std::ranges::find(texts, token.text) != texts.end();
     };
     return is_any(left, {"(", "{", "[", "::"}) || is_any(right, {")", "}", "]", ",", "::"}) ||
            (left.text == "scale" && right.text == "(");
@@ -89,7 +89,7 @@ private:
     }
     [[nodiscard]] bool blank_line_before(std::size_t at) const {
         const std::string_view space = between(at);
-        return at > 0 && std::count(space.begin(), space.end(), '\n') > 1;
+        return at > 0 && std::ranges::count(space, '\n') > 1;
     }
 
     void item(std::size_t from, std::size_t to) {

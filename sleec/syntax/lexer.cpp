@@ -118,7 +118,7 @@ private:
     void symbol() {
         const std::size_t begin = at_;
         const std::string_view rest = text_.substr(at_);
-        const auto* found = std::find_if(symbols.begin(), symbols.end(), [&](auto s) { return rest.starts_with(s); });
+        const auto* found = std::ranges::find_if(symbols, [&](auto s) { return rest.starts_with(s); });
         if (found != symbols.end()) {
             at_ += found->size();
             return push(Tok::symbol, begin);
@@ -148,7 +148,7 @@ std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diag
 }
 
 bool is_reserved(std::string_view word) {
-    return std::find(reserved.begin(), reserved.end(), word) != reserved.end();
+    return std::ranges::find(reserved, word) != reserved.end();
 }
 
 std::vector<std::string_view> language_words() {

@@ -26,7 +26,7 @@ void add_folders(const std::string& folder, std::vector<Inputs>& all) {
     std::vector<Inputs> found;
     for (const auto& entry : fs::directory_iterator(repository(folder)))
         if (entry.is_directory()) found.push_back({entry.path().string()});
-    std::sort(found.begin(), found.end());
+    std::ranges::sort(found);
     all.insert(all.end(), found.begin(), found.end());
 }
 

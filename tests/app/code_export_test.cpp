@@ -71,7 +71,7 @@ TEST(CodeExport, AldebaranHasEveryTransition) {
     EXPECT_THAT(text, StartsWith("des (0,"));
     EXPECT_THAT(text, HasSubstr("registerRead.present__seeRobot"));
     EXPECT_THAT(text, HasSubstr("registerWrite.wrote__set_linearSpeed.-1088"));
-    const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    const auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n'));
     EXPECT_EQ(text.substr(0, text.find('\n')).find("," + std::to_string(lines - 1) + ","), 6U) << text.substr(0, 40);
     fs::remove(path);
 }

@@ -31,9 +31,8 @@ Ran run_on(const std::string& command) {
 
 /// Control characters of ASCII and Latin-1; line ends and tabs are allowed.
 bool has_controls(const std::string& text) {
-    const bool ascii = std::any_of(text.begin(), text.end(), [](char c) {
-        return (static_cast<unsigned char>(c) < 0x20U && c != '\n' && c != '\t') || c == 0x7F;
-    });
+    const bool ascii = std::ranges::any_of(
+        text, [](char c) { return (static_cast<unsigned char>(c) < 0x20U && c != '\n' && c != '\t') || c == 0x7F; });
     return ascii || text.find("\302\233") != std::string::npos;
 }
 

@@ -159,7 +159,7 @@ TEST(RunLimits, AScriptHasOneObject) {
             "timeout -s KILL 60 \"$verify\" cspm --timeout 3 --format " +
             std::string(format) + " s.csp");
         EXPECT_EQ(ran.exit, 3) << ran.err;
-        EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 1) << ran.out;
+        EXPECT_EQ(std::ranges::count(ran.out, '\n'), 1) << ran.out;
     }
 }
 

@@ -467,7 +467,7 @@ TEST(Refines, PlainTextIsGreppable) {
     const Ran brief = run({"cspm", "--brief", "--quiet", "--format", "plain", script.path()});
     EXPECT_THAT(brief.out, HasSubstr("SPEC [T= SYSTEM: Failed\n"));
     EXPECT_THAT(brief.out, HasSubstr("SYSTEM [T= STOP: Passed\n"));
-    EXPECT_EQ(std::count(brief.out.begin(), brief.out.end(), '\n'), 6);
+    EXPECT_EQ(std::ranges::count(brief.out, '\n'), 6);
     const Ran whole = run({"cspm", "--format", "plain", script.path(), "--assertion", "1"});
     EXPECT_THAT(whole.out, AllOf(HasSubstr("    Result: Failed\n"), HasSubstr("Visited States:"),
                                  HasSubstr("Trace: <a, b>"), HasSubstr("Error Event: c")));

@@ -135,7 +135,7 @@ bool Replay::waits_to_begin(const json& machine, const std::vector<std::string>&
     const std::string component = machine["component"].get<std::string>() + "::";
     const bool initial =
         std::any_of(run_["initial"].begin(), run_["initial"].end(), [&](const json& each) { return each == machine; });
-    return std::any_of(calls.begin(), calls.end(), [&](const std::string& call) {
+    return std::ranges::any_of(calls, [&](const std::string& call) {
         const std::string name = call.substr(0, call.find('('));
         const auto at = name.rfind("::");
         const bool around = at != std::string::npos && component.rfind(claimed(name.substr(0, at)) + "::", 0) == 0;
@@ -153,8 +153,7 @@ void Replay::note_compressed(TermId state) {
 
 bool Replay::is_compressed(const json& machine) const {
     const std::string component = machine["component"].get<std::string>() + "::";
-    return std::any_of(compressed_.begin(), compressed_.end(),
-                       [&](const std::string& part) { return component.rfind(part, 0) == 0; });
+    return std::ranges::any_of(compressed_, [&](const std::string& part) { return component.rfind(part, 0) == 0; });
 }
 
 bool Replay::fits(const json& machine, const std::vector<std::string>& calls) const {
@@ -189,21 +188,20 @@ bool Replay::fits(const json& machine, const std::vector<std::string>& calls) co
         const auto has = [&](const std::string& value) { return values.contains({name, value}); };
         if (variable["value"].is_null()) return has("_") || has("'_'");
         if (!plain(variable) && variable.contains("type"))
-            return std::any_of(values.begin(), values.end(), [&](const auto& each) { return each.first == name; });
+            return std::ranges::any_of(values, [&](const auto& each) { return each.first == name; });
         return has(variable["value"]);
     });
 }
 
 /// Whether the list contains every machine of the script's state.
 bool Replay::complete(const json& machines, const std::vector<std::string>& calls) const {
-    return std::all_of(calls.begin(), calls.end(), [&](const std::string& call) {
+    return std::ranges::all_of(calls, [&](const std::string& call) {
         const auto found = emission_.provenance.definitions.find(call.substr(0, call.find('(')));
         if (found == emission_.provenance.definitions.end()) return true;
         // Only control processes show that a machine is active: memories may outlive their machine.
         if (found->second.memory) return true;
-        return std::any_of(machines.begin(), machines.end(), [&](const json& machine) {
-            return machine["component"] == claimed(found->second.component);
-        });
+        return std::ranges::any_of(
+            machines, [&](const json& machine) { return machine["component"] == claimed(found->second.component); });
     });
 }
 
@@ -219,7 +217,7 @@ void Replay::machines_of(const json& machines, States& states) {
                                 seen.find("…") != std::string::npos || seen.find("⊓") != std::string::npos;
         if (compressed) return false;
         sum_.machines += machines.size();
-        return !complete(machines, calls) || !std::all_of(machines.begin(), machines.end(), [&](const json& machine) {
+        return !complete(machines, calls) || !std::ranges::all_of(machines, [&](const json& machine) {
             return is_compressed(machine) || fits(machine, calls);
         });
     };
@@ -304,7 +302,7 @@ void Replay::step(const json& step, States& states) {
 void Replay::end(const States& states, const States& loop_start) {
     const json& end = run_["end"];
     const std::string kind = end["kind"];
-    const auto some = [&](const auto& test) { return std::any_of(states.begin(), states.end(), test); };
+    const auto some = [&](const auto& test) { return std::ranges::any_of(states, test); };
     const bool loop = !run_["loopStart"].is_null();
     if (loop && !some([&](TermId state) { return loop_start.contains(state); })) fault("the loop does not close");
     if (loop) return;
@@ -314,9 +312,8 @@ void Replay::end(const States& states, const States& loop_start) {
         fault("no deadlock");
     if (kind == "timelock" && !some([&](TermId state) {
             const auto list = session_.transitions(state);
-            return std::none_of(list.begin(), list.end(), [&](const auto& each) {
-                return each.event == process::tau || name(each.event) == "tock";
-            });
+            return std::ranges::none_of(
+                list, [&](const auto& each) { return each.event == process::tau || name(each.event) == "tock"; });
         }))
         fault("time can pass");
     if (kind == "refusal" && end["required"].empty()) fault("nothing is required");

@@ -95,7 +95,7 @@ TEST(RoboToolSuite, EveryObligationIsAsExpected) {
     EXPECT_EQ(obligations, 200U);
     for (const auto& [folder, what] : departures()) {
         const auto named = [&name = folder](const Row& row) { return row.folder == name; };
-        EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), named)) << folder << " is no folder of the suite";
+        EXPECT_TRUE(std::ranges::any_of(rows, named)) << folder << " is no folder of the suite";
     }
 }
 

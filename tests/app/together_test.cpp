@@ -42,7 +42,7 @@ Verdicts verdicts(const nlohmann::json& report) {
 
 /// Every third model, or all if requested.
 std::vector<std::string> sample(std::vector<std::string> models) {
-    std::sort(models.begin(), models.end());
+    std::ranges::sort(models);
     const char* wanted = std::getenv("ROBOCHART_TOGETHER");
     if (wanted != nullptr && std::string(wanted) == "all") return models;
     std::vector<std::string> some;

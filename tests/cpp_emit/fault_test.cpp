@@ -118,8 +118,7 @@ TEST_P(Faults, HaveOneTextForEachSite) {
     options.fault_site = 0xffffffffU;
     const Emission beyond = testing::emit_ok(system_, ref, options);
     const auto core = [](const Emission& emission) {
-        return std::find_if(emission.files.begin(), emission.files.end(),
-                            [](const OutputFile& file) { return file.path == "M_core.hpp"; })
+        return std::ranges::find_if(emission.files, [](const OutputFile& file) { return file.path == "M_core.hpp"; })
             ->text;
     };
     // Code with a fault in the cycle uses the event API of the general form. So the reference is the code of another
@@ -130,7 +129,7 @@ TEST_P(Faults, HaveOneTextForEachSite) {
     std::vector<std::string> texts = {core(beyond)};
     for (options.fault_site = 0; options.fault_site < beyond.fault_sites; ++options.fault_site) {
         texts.push_back(core(testing::emit_ok(system_, ref, options)));
-        EXPECT_EQ(std::count(texts.begin(), texts.end(), texts.back()), 1) << options.fault_site;
+        EXPECT_EQ(std::ranges::count(texts, texts.back()), 1) << options.fault_site;
     }
 }
 
@@ -207,7 +206,7 @@ TEST(FaultsOfToolkitFunctions, TakeTheOtherOfEachPair) {
         options.fault = Fault::set_operation_wrong;
         const auto has = [&](const char* function) {
             const Emission emission = testing::emit_ok(system, component(system, "M"), options);
-            return std::any_of(emission.files.begin(), emission.files.end(), [&](const OutputFile& file) {
+            return std::ranges::any_of(emission.files, [&](const OutputFile& file) {
                 return file.path == "M_core.hpp" &&
                        file.text.find("toolkit::" + std::string(function) + "<") != std::string::npos;
             });

@@ -113,7 +113,7 @@ std::set<std::string> own_identifiers(const std::string& text) {
 
 /// The marked models use these letters in the name of every element.
 bool of_the_model(std::string word) {
-    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+    std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::tolower(c); });
     return word.find("zq") != std::string::npos;
 }
 
@@ -258,9 +258,9 @@ class NamesEverywhere : public ::testing::TestWithParam<const char*> {};
 TEST_P(NamesEverywhere, OfGeneratedCode) {
     std::vector<std::string> names = sample(reserved_own_types(), 2);
     for (const std::string& name : sample(reserved_own_members(), 2))
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     for (const char* name : {"Int", "Nat", "Real", "Types", "inputs", "value", "step", "Robot", "Body"})
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
+        if (std::ranges::find(names, name) == names.end()) names.emplace_back(name);
     compile_all(everywhere("read", names), GetParam());
 }
 
@@ -271,7 +271,7 @@ TEST_P(NamesEverywhere, OfTheLanguageAndItsHeaders) {
         "xor",     "std",      "robochart",       "assert",     "errno",    "BUFSIZ", "EOF",    "EXIT_SUCCESS",
         "NULL",    "SEEK_SET", "ROBOCHART_TRACE", "RC_REQUIRE", "stdin",    "time",   "abort"};
     for (const std::string& name : sample(reserved_macros(), 60))
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     compile_all(everywhere("time", names), GetParam());
 }
 

@@ -23,9 +23,7 @@ std::string core_of(const std::string& body) {
         "transition t0 { from i to A }\n" +
         body + "}");
     const Emission emission = testing::emit_ok(system, component(system, "M"));
-    return std::find_if(emission.files.begin(), emission.files.end(),
-                        [](const OutputFile& file) { return file.path == "M_core.hpp"; })
-        ->text;
+    return std::ranges::find_if(emission.files, [](const OutputFile& file) { return file.path == "M_core.hpp"; })->text;
 }
 
 bool asks(const std::string& text) {

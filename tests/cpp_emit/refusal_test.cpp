@@ -94,7 +94,7 @@ TEST(Refusals, CompositeStatesWithoutInitialNode) {
         "transition t0 { from i to A } }");
     for (ir::Node& node : system.machines[0].nodes) node.initial = {};
     const auto got = codes(system, component(system, "M"));
-    EXPECT_EQ(std::count(got.begin(), got.end(), "RC-G07"), 1);
+    EXPECT_EQ(std::ranges::count(got, "RC-G07"), 1);
 }
 
 TEST(Refusals, TriggersThatDoNotOnlyReceive) {
@@ -147,7 +147,7 @@ TEST(Refusals, TransitionsAcrossStates) {
     ir::System system = ir::samples::aggregation();
     system.machines[2].nodes[2].parent = ir::NodeId{1};
     const auto got = codes(system, component(system, "AggregationFSM"));
-    EXPECT_EQ(std::count(got.begin(), got.end(), "RC-G12"), 1);
+    EXPECT_EQ(std::ranges::count(got, "RC-G12"), 1);
 }
 
 TEST(Refusals, TooManyArguments) {
@@ -233,7 +233,7 @@ TEST(Rules, AreAllDistinctAndExplained) {
     std::vector<std::string_view> seen;
     for (const auto* rule : rules::all()) {
         EXPECT_GE(rule->explanation.size(), 80U) << rule->code;
-        EXPECT_EQ(std::count(seen.begin(), seen.end(), rule->code), 0) << rule->code;
+        EXPECT_EQ(std::ranges::count(seen, rule->code), 0) << rule->code;
         seen.push_back(rule->code);
     }
 }

@@ -612,7 +612,7 @@ TEST(Provenance, KeysAreWhatTheCheckerPrints) {
     const auto reported = testing::reported_steps(*m, Time::untimed, "S::D__(0)", "RUN({| S::set_EXT_x |})");
     ASSERT_EQ(reported.size(), 3U);
     for (const testing::ReportedStep& step : reported) {
-        const auto event = std::find_if(provenance.events.begin(), provenance.events.end(), [&](const auto& entry) {
+        const auto event = std::ranges::find_if(provenance.events, [&](const auto& entry) {
             return step.event == entry.first || step.event.compare(0, entry.first.size() + 1, entry.first + ".") == 0;
         });
         EXPECT_NE(event, provenance.events.end()) << step.event;

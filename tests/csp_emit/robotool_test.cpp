@@ -38,7 +38,7 @@ std::set<std::string> names_of(const std::vector<DeclPtr>& decls) {
 
 bool defines_nothing_new(const DeclPtr& decl, const std::set<std::string>& known) {
     const auto names = names_of({decl});
-    return std::any_of(names.begin(), names.end(), [&](const std::string& n) { return known.count(n) != 0; });
+    return std::ranges::any_of(names, [&](const std::string& n) { return known.count(n) != 0; });
 }
 
 /// RoboTool's script followed by our components in a separate module, with the definitions that they need.

@@ -24,7 +24,7 @@ std::size_t draw_below(const fs::path& folder, const std::function<void(const Dr
     std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
         if (entry.path().extension() == ".rct") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
+    std::ranges::sort(files);
     for (const fs::path& file : files) draw_each({{file.string(), tests::contents(file)}}, look);
     return files.size();
 }
@@ -51,7 +51,7 @@ std::size_t draw_documents(const std::function<void(const DrawnModel&)>& look) {
     std::vector<fs::path> pages;
     for (const auto& entry : fs::recursive_directory_iterator(tests::source_folder() / "docs"))
         if (entry.path().extension() == ".md") pages.push_back(entry.path());
-    std::sort(pages.begin(), pages.end());
+    std::ranges::sort(pages);
     std::size_t count = 0;
     for (const fs::path& page : pages)
         for (const std::string& model : models_in(tests::contents(page))) {

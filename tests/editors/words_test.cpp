@@ -18,8 +18,7 @@ namespace {
 using Words = std::set<std::string>;
 
 bool starts_with_any(const std::string& scope, const std::vector<std::string>& prefixes) {
-    return std::any_of(prefixes.begin(), prefixes.end(),
-                       [&](const std::string& prefix) { return scope.starts_with(prefix); });
+    return std::ranges::any_of(prefixes, [&](const std::string& prefix) { return scope.starts_with(prefix); });
 }
 
 TEST(GrammarWords, PlainTextLeavesOutWhatOnlyLooksAhead) {

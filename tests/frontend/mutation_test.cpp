@@ -43,7 +43,7 @@ std::vector<fs::path> models() {
     std::vector<fs::path> result;
     for (const auto& entry : fs::recursive_directory_iterator(tests::source_folder() / "corpus"))
         if (entry.path().extension() == ".rct") result.push_back(entry.path());
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     return result;
 }
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 std::vector<fs::path> entries(const fs::path& folder) {
     std::vector<fs::path> result;
     for (const auto& entry : fs::directory_iterator(folder)) result.push_back(entry.path());
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     return result;
 }
 
@@ -82,8 +82,7 @@ TEST(Suite, LoadsTheCorpus) {
     if (!fs::is_directory(corpus)) GTEST_SKIP() << "no corpus in this tree";
     for (const fs::path& folder : entries(corpus)) {
         const auto files = fs::is_directory(folder) ? entries(folder) : std::vector<fs::path>();
-        if (std::any_of(files.begin(), files.end(), [](const fs::path& f) { return f.extension() == ".rct"; }))
-            expect_loads(folder);
+        if (std::ranges::any_of(files, [](const fs::path& f) { return f.extension() == ".rct"; })) expect_loads(folder);
     }
 }
 

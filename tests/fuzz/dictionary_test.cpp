@@ -44,12 +44,12 @@ TEST(Dictionaries, RoboChart) {
 /// The table of words contains the words that the parser compares with.
 TEST(Dictionaries, WordsOfAssertions) {
     const auto table = frontend::assertion_words();
-    EXPECT_TRUE(std::is_sorted(table.begin(), table.end()));
+    EXPECT_TRUE(std::ranges::is_sorted(table));
     for (const std::string& joined : editors::assertion_words()) {
         std::istringstream parts(joined);
         if (joined == "write") continue;  // the title of a fix
         for (std::string word; std::getline(parts, word, '-');)
-            EXPECT_TRUE(frontend::is_reserved(word) || std::binary_search(table.begin(), table.end(), word)) << word;
+            EXPECT_TRUE(frontend::is_reserved(word) || std::ranges::binary_search(table, word)) << word;
     }
 }
 

@@ -24,7 +24,7 @@ std::vector<fs::path> files_of(const fs::path& folder) {
     std::vector<fs::path> result;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
         if (entry.is_regular_file()) result.push_back(entry.path());
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     return result;
 }
 
@@ -51,8 +51,7 @@ INSTANTIATE_TEST_SUITE_P(Fuzz, Regressions, ::testing::ValuesIn(targets().begin(
 TEST(Regressions, EveryFolderHasItsTarget) {
     for (const auto& entry : fs::directory_iterator(root / "tests/fuzz/regressions")) {
         const std::string name = entry.path().filename().string();
-        EXPECT_TRUE(std::any_of(targets().begin(), targets().end(), [&](const Target& t) { return t.name == name; }))
-            << name;
+        EXPECT_TRUE(std::ranges::any_of(targets(), [&](const Target& t) { return t.name == name; })) << name;
     }
 }
 

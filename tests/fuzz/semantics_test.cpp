@@ -39,13 +39,13 @@ std::vector<Project> kept_projects() {
         std::vector<fs::path> models;
         for (const auto& entry : fs::directory_iterator(tests::source_folder() / folder))
             if (entry.is_directory()) models.push_back(entry.path());
-        std::sort(models.begin(), models.end());
+        std::ranges::sort(models);
         for (const fs::path& model : models) {
             Project project;
             for (const auto& entry : fs::directory_iterator(model))
                 if (entry.path().extension() == ".rct" || entry.path().extension() == ".assertions")
                     project.push_back({entry.path().filename(), contents(entry.path())});
-            std::sort(project.begin(), project.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+            std::ranges::sort(project, [](const auto& a, const auto& b) { return a.path < b.path; });
             if (!project.empty()) projects.push_back(std::move(project));
         }
     }

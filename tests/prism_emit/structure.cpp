@@ -23,7 +23,7 @@ std::string stem(const std::string& name) {
 }
 
 std::string joined(std::vector<std::string> parts, const std::string& between) {
-    std::sort(parts.begin(), parts.end());
+    std::ranges::sort(parts);
     std::string result;
     for (const std::string& each : parts) result += (result.empty() ? "" : between) + each;
     return result;

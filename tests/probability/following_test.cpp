@@ -27,7 +27,7 @@ Following found(const std::string& model, const std::vector<std::string>& states
 
 bool may(const Following& following, std::uint32_t from, std::uint32_t to) {
     const auto place = [&](std::uint32_t bits) {
-        return std::find(following.classes.begin(), following.classes.end(), bits) - following.classes.begin();
+        return std::ranges::find(following.classes, bits) - following.classes.begin();
     };
     return following.after.at(static_cast<std::size_t>(place(from))).at(static_cast<std::size_t>(place(to)));
 }

@@ -80,7 +80,7 @@ void expect_severities(const app::RulePage& page) {
     ASSERT_FALSE(rules.empty()) << "no rule has the code " << page.code;
     using diagnostics::Severity;
     const auto has = [&](Severity s) {
-        return std::any_of(rules.begin(), rules.end(), [&](const auto* rule) { return rule->severity == s; });
+        return std::ranges::any_of(rules, [&](const auto* rule) { return rule->severity == s; });
     };
     for (const auto& [severity, word] : {std::pair(Severity::error, "error"), std::pair(Severity::warning, "warning"),
                                          std::pair(Severity::note, "note")})

@@ -240,8 +240,8 @@ TEST(Stepper, MakesARunOfTheWay) {
     EXPECT_EQ(run.time, 1);
     ASSERT_GE(run.steps.size(), 3U);
     EXPECT_TRUE(run.end.why.empty());
-    const bool received = std::any_of(run.steps.begin(), run.steps.end(),
-                                      [](const Step& step) { return step.event.text == "input e with 1"; });
+    const bool received =
+        std::ranges::any_of(run.steps, [](const Step& step) { return step.event.text == "input e with 1"; });
     EXPECT_TRUE(received);
 }
 

@@ -27,7 +27,7 @@ std::vector<fs::path> files(const fs::path& folder, const std::set<std::string>&
         else if (it->is_regular_file() && extensions.contains(it->path().extension().string()))
             found.push_back(it->path());
     }
-    std::sort(found.begin(), found.end());
+    std::ranges::sort(found);
     return found;
 }
 
@@ -105,13 +105,13 @@ std::map<std::string, FolderRow> folder_table() {
 
 bool may_include(const FolderRow& row, const std::string& folder) {
     if (row.excluded.contains(folder)) return false;
-    const bool listed = std::any_of(row.allowed.begin(), row.allowed.end(), [&](const std::string& name) {
+    const bool listed = std::ranges::any_of(row.allowed, [&](const std::string& name) {
         return name == folder || (name.ends_with("/*") && is_below(folder, name.substr(0, name.size() - 2)));
     });
     if (listed) return true;
     // "everything but `app`" also excludes the folders below app.
-    return row.everything && std::none_of(row.excluded.begin(), row.excluded.end(),
-                                          [&](const std::string& name) { return is_below(folder, name); });
+    return row.everything &&
+           std::ranges::none_of(row.excluded, [&](const std::string& name) { return is_below(folder, name); });
 }
 
 std::vector<std::vector<std::string>> cycles(const std::map<std::string, std::set<std::string>>& edges) {
@@ -138,7 +138,7 @@ std::vector<std::vector<std::string>> cycles(const std::map<std::string, std::se
         if (members.size() < 2) return;
         std::vector<std::string>& group = result.emplace_back();
         for (const lts::StateIndex member : members) group.push_back(names[member]);
-        std::sort(group.begin(), group.end());
+        std::ranges::sort(group);
     });
     return result;
 }

@@ -30,7 +30,7 @@ std::set<std::string> defined_types(const std::string& text) {
         } else if (std::regex_match(line, match, type)) {
             std::string name;
             for (const std::string& part : namespaces) name += part + "::";
-            const bool unnamed = std::find(namespaces.begin(), namespaces.end(), "") != namespaces.end();
+            const bool unnamed = std::ranges::find(namespaces, "") != namespaces.end();
             if (!unnamed) found.insert(name + match[2].str());
         }
     }

@@ -29,7 +29,7 @@ std::vector<fs::path> models() {
     if (!fs::exists(accept)) return folders;
     for (const auto& entry : fs::directory_iterator(accept))
         if (entry.is_directory()) folders.push_back(entry.path());
-    std::sort(folders.begin(), folders.end());
+    std::ranges::sort(folders);
     return folders;
 }
 

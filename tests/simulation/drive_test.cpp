@@ -198,7 +198,7 @@ stm Coin {
         return result;
     };
     const std::vector<bool> first = heads(1);
-    const auto count = std::count(first.begin(), first.end(), true);
+    const auto count = std::ranges::count(first, true);
     EXPECT_NEAR(static_cast<double>(count), 500.0, 79.0) << "five standard deviations";
     EXPECT_EQ(first, heads(1));
     EXPECT_NE(first, heads(2));

@@ -67,8 +67,7 @@ TEST(SignedRank, ErrsAtMostAsOftenAsItSays) {
             chances.push_back(signed_rank(differences));
         }
         for (const double error : {0.01, 0.05, 0.2}) {
-            const auto rejected =
-                std::count_if(chances.begin(), chances.end(), [&](double chance) { return chance <= error; });
+            const auto rejected = std::ranges::count_if(chances, [&](double chance) { return chance <= error; });
             EXPECT_LE(static_cast<double>(rejected), error * static_cast<double>(chances.size()));
         }
     }

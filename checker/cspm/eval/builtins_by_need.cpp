@@ -117,7 +117,7 @@ Value ByNeed::map_builtin(Builtin which, const Values& arguments, Span span) {
     if (which == Builtin::map_update_multiple) {
         // Among pairs with the same key the first counts, while mapFromList takes the last (libcspm, Evaluator).
         Values pairs = written_out(arguments[1], span)->items;
-        std::reverse(pairs.begin(), pairs.end());
+        std::ranges::reverse(pairs);
         return put_all(std::move(items), pairs);
     }
     if (which == Builtin::map_to_list) {

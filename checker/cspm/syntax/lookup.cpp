@@ -25,7 +25,7 @@ bool declares(const Decl& decl, std::string_view name) {
         case DeclKind::nametype:
         case DeclKind::module:
         case DeclKind::instance:
-            return std::find(decl.names.begin(), decl.names.end(), name) != decl.names.end();
+            return std::ranges::find(decl.names, name) != decl.names.end();
         default:
             return false;
     }

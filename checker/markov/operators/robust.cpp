@@ -16,7 +16,7 @@ namespace {
 std::vector<std::size_t> by_worth(const UncertainRow& row, const std::vector<double>& worth) {
     std::vector<std::size_t> order(row.branches.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
         return worth[row.branches[a].target] > worth[row.branches[b].target];
     });
     return order;

@@ -75,9 +75,9 @@ private:
         }
         // The base may be declared before or after; it may itself be renamed if it is declared before.
         const auto named = [&](const Module& each) { return each.name.text == written.base.text; };
-        const auto above = std::find_if(model_.modules.begin(), model_.modules.end(), named);
+        const auto above = std::ranges::find_if(model_.modules, named);
         if (above != model_.modules.end()) return add_renamed(written, *above);
-        const auto below = std::find_if(file_.modules.begin(), file_.modules.end(), named);
+        const auto below = std::ranges::find_if(file_.modules, named);
         if (below == file_.modules.end()) {
             diagnostics_.report(rules::not_declared, written.base.span, {"module", written.base.text});
         } else if (!below->base.text.empty()) {

@@ -63,8 +63,7 @@ public:
 
     static std::set<std::string> common(const Part& left, const Part& right) {
         std::set<std::string> result;
-        std::set_intersection(left.alphabet.begin(), left.alphabet.end(), right.alphabet.begin(), right.alphabet.end(),
-                              std::inserter(result, result.end()));
+        std::ranges::set_intersection(left.alphabet, right.alphabet, std::inserter(result, result.end()));
         return result;
     }
 

@@ -213,8 +213,8 @@ TypeChecker::Result TypeChecker::arithmetic(const Expr& expr) {
 }
 
 TypeChecker::Result TypeChecker::call(const Expr& expr) {
-    const auto* function = std::find_if(functions_known.begin(), functions_known.end(),
-                                        [&](const Function& each) { return each.name == expr.text; });
+    const auto* function =
+        std::ranges::find_if(functions_known, [&](const Function& each) { return each.name == expr.text; });
     if (function == functions_known.end()) {
         diagnostics_.report(rules::wrong_function, expr.span, {fmt::format("there is no function '{}'", expr.text)});
         return std::nullopt;
@@ -268,7 +268,7 @@ TypeChecker::Result TypeChecker::reward(const Expr& expr) {
         good = false;
     };
     if (!query.reward.text.empty()) {
-        if (std::find(scope_.rewards.begin(), scope_.rewards.end(), query.reward.text) == scope_.rewards.end())
+        if (std::ranges::find(scope_.rewards, query.reward.text) == scope_.rewards.end())
             missing(query.reward.span, fmt::format("there is no reward structure \"{}\"", query.reward.text));
     } else if (query.reward_index) {
         good = operand(query.reward_index, Type::integer);
@@ -304,7 +304,7 @@ TypeChecker::Result TypeChecker::filter(const Expr& expr) {
         return std::nullopt;
     }
     const std::string& kind = expr.text;
-    if (std::find(filters.begin(), filters.end(), kind) == filters.end()) {
+    if (std::ranges::find(filters, kind) == filters.end()) {
         diagnostics_.report(rules::wrong_function, expr.span, {fmt::format("there is no filter '{}'", kind)});
         return std::nullopt;
     }

@@ -213,8 +213,7 @@ Code::Root Code::folded(Root root) {
     if (node.op == conjunction && is_constant(node.b) && nodes_[node.b].value != 0) return node.a;
     if (node.op == disjunction && is_constant(node.b) && nodes_[node.b].value == 0) return node.a;
     const std::vector<Root> parts = operands(node);
-    const bool fixed =
-        !parts.empty() && std::all_of(parts.begin(), parts.end(), [&](Root r) { return is_constant(r); });
+    const bool fixed = !parts.empty() && std::ranges::all_of(parts, [&](Root r) { return is_constant(r); });
     if (!fixed) return root;
     try {
         return constant_node(value(root, nullptr), spans_[root]);

@@ -36,7 +36,7 @@ CommandTable::CommandTable(const CheckedModel& model, const Layout& layout, Code
 }
 
 std::uint32_t CommandTable::group(const ActionOfModule& part) {
-    const auto found = std::find(group_names_.begin(), group_names_.end(), part);
+    const auto found = std::ranges::find(group_names_, part);
     if (found == group_names_.end()) {
         group_names_.push_back(part);
         groups_.emplace_back();
@@ -46,9 +46,9 @@ std::uint32_t CommandTable::group(const ActionOfModule& part) {
 }
 
 std::uint32_t CommandTable::action(const std::string& name) {
-    const auto found = std::find(actions_.begin(), actions_.end(), name);
+    const auto found = std::ranges::find(actions_, name);
     if (found == actions_.end()) actions_.push_back(name);
-    return static_cast<std::uint32_t>(std::find(actions_.begin(), actions_.end(), name) - actions_.begin());
+    return static_cast<std::uint32_t>(std::ranges::find(actions_, name) - actions_.begin());
 }
 
 void CommandTable::add_command(const Command& command) {
@@ -60,8 +60,8 @@ void CommandTable::add_command(const Command& command) {
         if (branch.probability) made.probability = probability(branch.probability);
         coded.fixed = coded.fixed && made.probability.fixed;
         for (const Assignment& each : branch.assignments) {
-            const auto variable = std::find_if(model_.variables.begin(), model_.variables.end(),
-                                               [&](const Variable& v) { return v.name.text == each.variable.text; });
+            const auto variable = std::ranges::find_if(
+                model_.variables, [&](const Variable& v) { return v.name.text == each.variable.text; });
             made.assignments.emplace_back(static_cast<std::uint32_t>(variable - model_.variables.begin()),
                                           code_.compile(each.value));
             made.spans.push_back(each.value->span);

@@ -116,8 +116,7 @@ void Explorer::branch(const CommandTable::Act& act, std::size_t part, NumberTabl
 
 /// Combines branches with the same target.
 void Explorer::merge(Distribution& distribution) {
-    std::stable_sort(distribution.begin(), distribution.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::ranges::stable_sort(distribution, [](const auto& a, const auto& b) { return a.first < b.first; });
     std::size_t kept = 0;
     for (std::size_t i = 1; i < distribution.size(); ++i) {
         if (distribution[i].first == distribution[kept].first)
@@ -180,7 +179,7 @@ void Explorer::finish() {
     if (!exact) chain.exact.clear();
     const std::uint64_t count = space_.deadlock_count_;
     if (count == 0) return;
-    const auto first = std::find(space_.deadlocks_.begin(), space_.deadlocks_.end(), true) - space_.deadlocks_.begin();
+    const auto first = std::ranges::find(space_.deadlocks_, true) - space_.deadlocks_.begin();
     auto& finding =
         space_.diagnostics_.report(rules::deadlocks, {}, {count == 1 ? "one state" : fmt::format("{} states", count)});
     finding.notes.push_back(

@@ -29,7 +29,7 @@ public:
                 continue;
             }
             const auto& actions = space.chain_.actions;
-            const auto found = std::find(actions.begin(), actions.end(), item.action.text);
+            const auto found = std::ranges::find(actions, item.action.text);
             if (found != actions.end()) by_action_[static_cast<std::size_t>(found - actions.begin())].push_back(coded);
             on_transitions_ = true;
         }

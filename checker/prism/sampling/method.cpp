@@ -70,7 +70,7 @@ Method read_method(const std::string& text) {
     std::istringstream parts(text);
     std::string part;
     std::getline(parts, part, ',');
-    const auto name = std::find(names.begin(), names.end(), part);
+    const auto name = std::ranges::find(names, part);
     if (name == names.end()) throw BadMethod(fmt::format("'{}' is no method: ci, aci, apmc or sprt", part));
     Method method;
     method.kind = static_cast<Method::Kind>(name - names.begin());

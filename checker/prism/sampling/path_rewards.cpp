@@ -19,7 +19,7 @@ PathRewards::PathRewards(const RewardStructure& structure, const std::vector<std
             of_states_.push_back(coded);
             continue;
         }
-        const auto found = std::find(actions.begin(), actions.end(), item.action.text);
+        const auto found = std::ranges::find(actions, item.action.text);
         if (found != actions.end()) by_action_[static_cast<std::size_t>(found - actions.begin())].push_back(coded);
     }
 }

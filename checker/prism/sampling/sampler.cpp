@@ -66,7 +66,7 @@ void Sampler::report(diagnostics::Diagnostics& diagnostics) const {
     std::vector<diagnostics::Span> seen;
     for (const auto& worker : workers_)
         for (const diagnostics::Diagnostic& each : worker->diagnostics.sorted()) {
-            if (std::find(seen.begin(), seen.end(), each.span) != seen.end()) continue;
+            if (std::ranges::find(seen, each.span) != seen.end()) continue;
             seen.push_back(each.span);
             diagnostics.report(*each.rule, each.span, each.arguments);
         }

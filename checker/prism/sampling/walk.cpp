@@ -36,7 +36,7 @@ Walk::Walk(const Instance& instance, Code& code, std::vector<std::int32_t> initi
 
 void Walk::begin(const Draws& draws) {
     draws_ = draws;
-    std::copy(initial_.begin(), initial_.end(), values_.begin());
+    std::ranges::copy(initial_, values_.begin());
     length_ = 0;
     period_.reset();
     anchor_ = initial_;

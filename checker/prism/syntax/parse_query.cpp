@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 15> openers{"P",       "Pmin",    "Pmax",
 }  // namespace
 
 bool Parser::at_query() const {
-    return peek().kind == Tok::word && std::find(openers.begin(), openers.end(), peek().text) != openers.end();
+    return peek().kind == Tok::word && std::ranges::find(openers, peek().text) != openers.end();
 }
 
 ExprPtr Parser::query() {

@@ -104,7 +104,7 @@ void Parser::refuse(std::string_view what, Span span) {
 
 void Parser::skip(std::initializer_list<std::string_view> stops) {
     while (!at_end()) {
-        if (peek().kind == Tok::word && std::find(stops.begin(), stops.end(), peek().text) != stops.end()) return;
+        if (peek().kind == Tok::word && std::ranges::find(stops, peek().text) != stops.end()) return;
         if (take().text == ";") return;
     }
 }

@@ -63,8 +63,7 @@ bool is_temporal(Op op) {
 bool is_path(const Expr& expr) {
     if (is_temporal(expr.op)) return true;
     const bool connective = expr.op >= Op::implies && expr.op <= Op::negation;
-    return connective &&
-           std::any_of(expr.parts.begin(), expr.parts.end(), [](const ExprPtr& part) { return is_path(*part); });
+    return connective && std::ranges::any_of(expr.parts, [](const ExprPtr& part) { return is_path(*part); });
 }
 
 bool same_expr(const ExprPtr& a, const ExprPtr& b) {

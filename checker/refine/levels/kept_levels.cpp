@@ -34,7 +34,7 @@ void KeptLevels::load(SearchRecord& record, const TakeUnsure& unsure) {
         return;
     }
     for (const storage::Checkpoint& each : found) check(each);
-    const Level levels = std::min_element(found.begin(), found.end(), [](const auto& one, const auto& other) {
+    const Level levels = std::ranges::min_element(found, [](const auto& one, const auto& other) {
                              return one.levels < other.levels;
                          })->levels;
     const bool same = found.size() == where_.place.ranks;

@@ -30,8 +30,7 @@ void RowsAside::add(StateView row, std::uint64_t hash, Level level) {
 std::vector<Word> RowsAside::with_levels(StateIndex first, StateIndex end) const {
     std::vector<Word> rows;
     rows.reserve((end - first) * (width() + 1));
-    auto level = std::upper_bound(levels_.begin(), levels_.end(), first,
-                                  [](StateIndex wanted, const auto& each) { return wanted < each.second; });
+    auto level = std::ranges::upper_bound(levels_, first, {}, &decltype(levels_)::value_type::second);
     for (StateIndex i = first; i < end; ++i) {
         while (level != levels_.end() && level->second <= i) ++level;
         rows.insert(rows.end(), (*store_)[i].begin(), (*store_)[i].end());

@@ -14,7 +14,7 @@ SavedRowStore::SavedRowStore(KeptWhere where)
     kept_.load(record(), [&](Level level, StateView row) {
         unsure.emplace_back(level, std::vector<lts::Word>(row.begin(), row.end()));
     });
-    std::sort(unsure.begin(), unsure.end());
+    std::ranges::sort(unsure);
     unsure.erase(std::unique(unsure.begin(), unsure.end()), unsure.end());
     // An unsure row of a level is looked up when the earlier levels and its own are in memory.
     auto next = unsure.begin();

@@ -27,11 +27,11 @@ public:
         const lts::Word mark = static_cast<lts::Word>(hash) | 1U;
         if (place[0] == mark && std::equal(row.begin(), row.end(), place + 1)) return true;
         place[0] = mark;
-        std::copy(row.begin(), row.end(), place + 1);
+        std::ranges::copy(row, place + 1);
         return false;
     }
     /// Removes all rows, because their owners have dropped what they received.
-    void clear() { std::fill(words_.begin(), words_.end(), 0); }
+    void clear() { std::ranges::fill(words_, 0); }
     /// Memory use.
     [[nodiscard]] std::uint64_t bytes() const { return words_.size() * sizeof(lts::Word); }
 

@@ -75,7 +75,7 @@ void SharedWork::leave(Kind worst) {
     const std::vector<Words> texts = exchange_.gather(shown ? packed(words_of(failure_)) : Words{});
     exchange_.leave_together();
     if (shown) std::rethrow_exception(failure_);
-    const auto first = std::find_if(texts.begin(), texts.end(), [](const Words& text) { return !text.empty(); });
+    const auto first = std::ranges::find_if(texts, [](const Words& text) { return !text.empty(); });
     const std::string why = first == texts.end() ? "another rank has ended" : unpacked(*first);
     if (worst == Kind::limit) throw diagnostics::LimitReached(why);
     if (worst == Kind::bad_file) throw storage::BadFile(why);

@@ -21,7 +21,7 @@ public:
     void begin(StateView row) { row_.assign(row.begin(), row.end()); }
     void add(Event event, StateView target, Event /*revealed*/) override {
         if (event != process::tau) return;
-        std::copy(target.begin(), target.end(), row_.begin() + (nodes_ ? 1 : 0));
+        std::ranges::copy(target, row_.begin() + (nodes_ ? 1 : 0));
         on_row_(row_, lts::StateStore::hash(row_));
     }
 
@@ -151,8 +151,8 @@ void TauElimination::eliminate() {
 }
 
 std::uint64_t TauElimination::left_everywhere() {
-    std::uint64_t left[1] = {static_cast<std::uint64_t>(
-        std::count_if(taus_to_.begin(), taus_to_.end(), [](std::uint32_t taus) { return taus > 0; }))};
+    std::uint64_t left[1] = {
+        static_cast<std::uint64_t>(std::ranges::count_if(taus_to_, [](std::uint32_t taus) { return taus > 0; }))};
     work_.sum(left);
     return left[0];
 }
@@ -204,7 +204,7 @@ std::vector<Words> TauElimination::at_first_rank() {
 
 /// Numbered by level and words, so that the cycle does not depend on the distribution of the rows.
 TauCycle TauElimination::decide(std::vector<Words> rows) {
-    std::sort(rows.begin(), rows.end());
+    std::ranges::sort(rows);
     lts::StateStore store(store_.width());
     for (const Words& row : rows) store.insert(StateView(row).subspan(1));
     const lts::GraphView graph{store.size(), [&](StateIndex row, std::vector<StateIndex>& out) {

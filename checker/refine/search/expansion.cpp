@@ -15,12 +15,11 @@ void Expansion::clear(std::size_t width) {
 }
 
 bool Expansion::eventful() const {
-    return faulty() ||
-           std::any_of(pairs.begin(), pairs.end(), [](const Pair& pair) { return pair.forbidden.has_value(); });
+    return faulty() || std::ranges::any_of(pairs, [](const Pair& pair) { return pair.forbidden.has_value(); });
 }
 
 bool Expansion::faulty() const {
-    return error || std::any_of(pairs.begin(), pairs.end(), [](const Pair& pair) { return pair.fault.has_value(); });
+    return error || std::ranges::any_of(pairs, [](const Pair& pair) { return pair.fault.has_value(); });
 }
 
 std::span<lts::Word> Expansion::add(bool by_tau) {
@@ -79,9 +78,9 @@ void Expander::expand_into(lts::StateView words) {
 /// The offers of unstable states are not used.
 void Expander::settle_offer() {
     process::EventSet& events = offer_.events;
-    const bool unstable = offer_.tau && std::find(events.begin(), events.end(), process::tick) == events.end();
+    const bool unstable = offer_.tau && std::ranges::find(events, process::tick) == events.end();
     if (!nodes_ || unstable) return;
-    std::sort(events.begin(), events.end());
+    std::ranges::sort(events);
     const auto end = std::unique(events.begin(), events.end());
     offer_.branches = end != events.end();
     events.erase(end, events.end());
@@ -118,7 +117,7 @@ void Expander::add_row(Monitor::Node node, lts::StateView target, bool by_tau) {
     if (pair_.forbidden) return;
     const std::span<lts::Word> row = out_->add(by_tau);
     if (nodes_) row[0] = node;
-    std::copy(target.begin(), target.end(), row.begin() + (nodes_ ? 1 : 0));
+    std::ranges::copy(target, row.begin() + (nodes_ ? 1 : 0));
     const std::uint64_t hash = lts::StateStore::hash(row);
     out_->set_hash(hash);
     pairs_.prefetch(hash);

@@ -59,7 +59,7 @@ void ParentIndex::clear() {
 
 lts::StateIndex ParentIndex::parent(lts::StateIndex state) const {
     const std::uint64_t one = state - 1U;  // counted from 0
-    const auto block = std::upper_bound(ones_before_.begin(), ones_before_.end(), one) - ones_before_.begin() - 1;
+    const auto block = std::ranges::upper_bound(ones_before_, one) - ones_before_.begin() - 1;
     std::uint64_t left = one - ones_before_[static_cast<std::size_t>(block)];
     std::uint64_t word = static_cast<std::uint64_t>(block) * block_words;
     for (;; ++word) {

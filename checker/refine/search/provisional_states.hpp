@@ -49,7 +49,7 @@ public:
     /// Stores the state of the next claim.
     void keep(lts::StateView state) {
         const Place place = place_of(size_);
-        std::copy(state.begin(), state.end(), chunks_[place.chunk].words.get() + place.offset * width_);
+        std::ranges::copy(state, chunks_[place.chunk].words.get() + place.offset * width_);
         chunks_[place.chunk].claims[place.offset].lost = false;
     }
     /// Called after the claim has been made.

@@ -268,7 +268,7 @@ std::vector<StateIndex> Search::path_to(StateIndex pair) const {
     std::vector<StateIndex> path;
     for (; pair != 0; pair = parents_.parent(pair)) path.push_back(pair);
     path.push_back(0);
-    std::reverse(path.begin(), path.end());
+    std::ranges::reverse(path);
     return path;
 }
 

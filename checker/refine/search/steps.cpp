@@ -41,7 +41,7 @@ Offer offer_of(const std::vector<RunStep>& steps) {
         else
             offer.events.push_back(step.event);
     }
-    std::sort(offer.events.begin(), offer.events.end());
+    std::ranges::sort(offer.events);
     const auto end = std::unique(offer.events.begin(), offer.events.end());
     offer.branches = end != offer.events.end();
     offer.events.erase(end, offer.events.end());

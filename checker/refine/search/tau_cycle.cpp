@@ -87,7 +87,7 @@ std::vector<StateIndex> shortest_cycle(const GraphView& graph, StateIndex throug
     if (parent[through] == no_state) return cycle;
     for (StateIndex vertex = through; cycle.empty() || vertex != through; vertex = parent[vertex])
         cycle.push_back(vertex);
-    std::reverse(cycle.begin(), cycle.end());
+    std::ranges::reverse(cycle);
     return cycle;
 }
 

@@ -230,7 +230,7 @@ Violation violation_of(Search& search, lts::TransitionSystem& system, const Find
     if (finding.kind == ViolationKind::trace) {
         const std::vector<RunStep> steps = steps_from(system, search.state(finding.pair));
         const auto by_it = [&](const RunStep& step) { return step.event == finding.event; };
-        const auto step = std::find_if(steps.begin(), steps.end(), by_it);
+        const auto step = std::ranges::find_if(steps, by_it);
         if (step == steps.end()) throw std::logic_error("a forbidden event cannot be taken again");
         violation.run.steps.push_back(*step);
     }

@@ -37,7 +37,7 @@ std::optional<Event> refusable(NormalForm& normal, NormalForm::Node node) {
     const EventSet initials = normal.initials(node);
     for (const EventSet& accepted : normal.acceptances(node))
         for (Event event : initials)
-            if (!std::binary_search(accepted.begin(), accepted.end(), event)) return event;
+            if (!std::ranges::binary_search(accepted, event)) return event;
     return std::nullopt;
 }
 
@@ -54,7 +54,7 @@ std::optional<Ambiguity> first_ambiguity(NormalForm& normal) {
             Ambiguity ambiguity{{}, *event};
             for (NormalForm::Node at = node; at != 0; at = arrivals[at].from)
                 ambiguity.trace.push_back(arrivals[at].event);
-            std::reverse(ambiguity.trace.begin(), ambiguity.trace.end());
+            std::ranges::reverse(ambiguity.trace);
             return ambiguity;
         }
         for (Event event : normal.initials(node))
@@ -146,7 +146,7 @@ public:
         if (!accepted) return std::nullopt;
         const EventSet wanted = acceptance(graph_.offer(node)).value();
         for (Event event : wanted)
-            if (!std::binary_search(accepted->begin(), accepted->end(), event)) return event;
+            if (!std::ranges::binary_search(*accepted, event)) return event;
         return std::nullopt;
     }
 

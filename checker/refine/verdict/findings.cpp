@@ -19,7 +19,7 @@ public:
 
     void number(std::uint64_t value) { bytes_.append(reinterpret_cast<const char*>(&value), sizeof value); }
     void event(Event event) {
-        const auto place = std::lower_bound(named_.begin(), named_.end(), event);
+        const auto place = std::ranges::lower_bound(named_, event);
         if (place == named_.end() || *place != event) throw std::logic_error("a finding with an event without a name");
         number(static_cast<std::uint64_t>(place - named_.begin()));
     }

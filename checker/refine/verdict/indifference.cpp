@@ -16,10 +16,10 @@ constexpr NormalForm::Node most_nodes = 10'000;
 EventSet image(const EventSet& events, const lts::EventPermutation& exchange) {
     EventSet result;
     for (const Event event : events) {
-        const auto moved = std::lower_bound(exchange.begin(), exchange.end(), std::pair(event, Event{0}));
+        const auto moved = std::ranges::lower_bound(exchange, std::pair(event, Event{0}));
         result.push_back(moved != exchange.end() && moved->first == event ? moved->second : event);
     }
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     return result;
 }
 
@@ -62,8 +62,8 @@ bool Indifference::at(NormalForm::Node node, const lts::EventPermutation& exchan
         if (normal_->after(node, event) != normal_->after(node, other)) return false;
     if (model_ == Model::traces) return true;
     const std::vector<EventSet>& acceptances = normal_->acceptances(node);
-    return std::all_of(acceptances.begin(), acceptances.end(), [&](const EventSet& each) {
-        return std::find(acceptances.begin(), acceptances.end(), image(each, exchange)) != acceptances.end();
+    return std::ranges::all_of(acceptances, [&](const EventSet& each) {
+        return std::ranges::find(acceptances, image(each, exchange)) != acceptances.end();
     });
 }
 

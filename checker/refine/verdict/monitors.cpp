@@ -25,9 +25,8 @@ std::optional<ViolationKind> refusal(const std::vector<EventSet>& wanted, const 
     if (offer.tau && !offer.ticks()) return std::nullopt;
     const auto first = offer.events.begin();
     const auto last = offer.ticks() ? first + 1 : offer.events.end();
-    const bool allowed = std::any_of(wanted.begin(), wanted.end(), [&](const EventSet& required) {
-        return std::includes(first, last, required.begin(), required.end());
-    });
+    const bool allowed = std::ranges::any_of(
+        wanted, [&](const EventSet& required) { return std::includes(first, last, required.begin(), required.end()); });
     return allowed ? std::nullopt : std::optional(ViolationKind::refusal);
 }
 
@@ -65,7 +64,7 @@ std::optional<ViolationKind> TraceMonitor::examine(Node node, const Offer& offer
     if (node != goal_) return std::nullopt;
     if (!refused_) return ViolationKind::no_trace;
     const std::optional<EventSet> accepted = acceptance(offer);
-    const bool refuses = accepted && !std::binary_search(accepted->begin(), accepted->end(), *refused_);
+    const bool refuses = accepted && !std::ranges::binary_search(*accepted, *refused_);
     return refuses ? std::optional(ViolationKind::nondeterminism) : std::nullopt;
 }
 

@@ -60,8 +60,7 @@ std::span<const LazyGraph::Edge> LazyGraph::edges(StateIndex state) {
 
 std::span<const LazyGraph::Edge> LazyGraph::edges(StateIndex state, Event event) {
     const std::span<const Edge> all = edges(state);
-    const auto first =
-        std::lower_bound(all.begin(), all.end(), event, [](const Edge& e, Event v) { return e.event < v; });
+    const auto first = std::ranges::lower_bound(all, event, {}, &Edge::event);
     const auto last = std::find_if(first, all.end(), [event](const Edge& e) { return e.event != event; });
     return {first, last};
 }
@@ -88,14 +87,13 @@ bool shorter(const EventSet& a, const EventSet& b) {
 
 /// Keeps the sets that contain no other set.
 std::vector<EventSet> minimal(std::vector<EventSet> sets, Budget& budget) {
-    std::sort(sets.begin(), sets.end(), shorter);
+    std::ranges::sort(sets, shorter);
     sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
     std::vector<EventSet> kept;
     for (EventSet& set : sets) {
         budget.charge();
-        const bool contains_kept = std::any_of(kept.begin(), kept.end(), [&](const EventSet& smaller) {
-            return std::includes(set.begin(), set.end(), smaller.begin(), smaller.end());
-        });
+        const bool contains_kept =
+            std::ranges::any_of(kept, [&](const EventSet& smaller) { return std::ranges::includes(set, smaller); });
         if (!contains_kept) kept.push_back(std::move(set));
     }
     return kept;
@@ -143,7 +141,7 @@ void NormalForm::close(Members& members) {
     for (std::size_t next = 0; next < members.size(); ++next)
         for (const LazyGraph::Edge& edge : graph_.edges(members[next], process::tau))
             if (first_visit(edge.target)) members.push_back(edge.target);
-    std::sort(members.begin(), members.end());
+    std::ranges::sort(members);
 }
 
 std::vector<NormalForm::Arc>& NormalForm::arcs(Node node) {
@@ -154,7 +152,7 @@ std::vector<NormalForm::Arc>& NormalForm::arcs(Node node) {
         for (const LazyGraph::Edge& edge : graph_.edges(member))
             if (edge.event != process::tau && (events.empty() || events.back() != edge.event))
                 events.push_back(edge.event);
-    std::sort(events.begin(), events.end());
+    std::ranges::sort(events);
     events.erase(std::unique(events.begin(), events.end()), events.end());
     data.arcs.emplace();
     for (Event event : events) data.arcs->push_back({event, unresolved});
@@ -163,8 +161,7 @@ std::vector<NormalForm::Arc>& NormalForm::arcs(Node node) {
 
 std::optional<NormalForm::Node> NormalForm::after(Node node, Event event) {
     std::vector<Arc>& known = arcs(node);
-    const auto arc =
-        std::lower_bound(known.begin(), known.end(), event, [](const Arc& a, Event v) { return a.event < v; });
+    const auto arc = std::ranges::lower_bound(known, event, {}, &Arc::event);
     if (arc == known.end() || arc->event != event) return std::nullopt;
     if (arc->target == unresolved) {
         Members targets;
@@ -190,7 +187,7 @@ EventSet NormalForm::initials(Node node) {
 bool NormalForm::includes(Node larger, Node smaller) const {
     const Members& all = *nodes_[larger].members;
     const Members& some = *nodes_[smaller].members;
-    return some.size() <= all.size() && std::includes(all.begin(), all.end(), some.begin(), some.end());
+    return some.size() <= all.size() && std::ranges::includes(all, some);
 }
 
 const std::vector<EventSet>& NormalForm::acceptances(Node node) {
@@ -206,8 +203,8 @@ const std::vector<EventSet>& NormalForm::acceptances(Node node) {
 bool NormalForm::diverges(Node node) {
     NodeData& data = nodes_[node];
     if (!data.diverges)
-        data.diverges = std::any_of(data.members->begin(), data.members->end(),
-                                    [this](StateIndex member) { return state_diverges(member); });
+        data.diverges =
+            std::ranges::any_of(*data.members, [this](StateIndex member) { return state_diverges(member); });
     return *data.diverges;
 }
 

@@ -54,8 +54,7 @@ std::optional<NormalTable> table_of(NormalForm& normal, Model model) {
 
 Monitor::Advance TableMonitor::advance(Node node, Event event) {
     const auto& arcs = table_->nodes[node].arcs;
-    const auto arc = std::lower_bound(arcs.begin(), arcs.end(), event,
-                                      [](const auto& each, Event wanted) { return each.first < wanted; });
+    const auto arc = std::ranges::lower_bound(arcs, event, {}, &std::pair<Event, Node>::first);
     if (arc == arcs.end() || arc->first != event) return {Effect::violation};
     if (table_->nodes[arc->second].diverges) return {Effect::ignore};
     return {Effect::follow, arc->second};

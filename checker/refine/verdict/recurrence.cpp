@@ -16,7 +16,7 @@ namespace {
 using lts::StateIndex;
 
 bool among(const process::EventSet& goal, process::Event event) {
-    return std::binary_search(goal.begin(), goal.end(), event);
+    return std::ranges::binary_search(goal, event);
 }
 
 /// The sources of the transitions into each state.
@@ -78,7 +78,7 @@ std::vector<StateIndex> way_to(const lts::Graph& graph, StateIndex last) {
         }
     std::vector<StateIndex> way;
     for (; last != 0; last = parent[last]) way.push_back(last);
-    std::reverse(way.begin(), way.end());
+    std::ranges::reverse(way);
     return way;
 }
 
@@ -91,8 +91,7 @@ Run run_along(lts::TransitionSystem& system, const lts::Exploration& all, const 
     for (const StateIndex state : way) {
         const std::vector<lts::Word> target = words(state);
         std::vector<RunStep> steps = steps_from(system, run.last());
-        const auto step =
-            std::find_if(steps.begin(), steps.end(), [&](const RunStep& each) { return each.state == target; });
+        const auto step = std::ranges::find_if(steps, [&](const RunStep& each) { return each.state == target; });
         if (step == steps.end()) throw std::logic_error("a transition that was explored cannot be taken again");
         run.steps.push_back(std::move(*step));
     }
@@ -113,7 +112,7 @@ std::optional<Violation> explore_backwards(lts::TransitionSystem& system, const 
     statistics.transitions += all.graph.edge_count();
     statistics.chased += system.chased();
     const std::vector<bool> marked = leading_to(all.graph, goal, budget);
-    const auto lost = std::find(marked.begin(), marked.end(), false);
+    const auto lost = std::ranges::find(marked, false);
     if (lost == marked.end()) return std::nullopt;
     const std::vector<StateIndex> way = way_to(all.graph, static_cast<StateIndex>(lost - marked.begin()));
     return Violation{ViolationKind::no_return, run_along(system, all, way), {}, {}};
@@ -143,7 +142,7 @@ Verdict recurrent(lts::TransitionSystem& system, const process::EventSet& goal, 
         const SearchQuestion question{[&](lts::TransitionSystem& searched, Budget& own, Statistics& size,
                                           const Violation*) { return explore_backwards(searched, goal, own, size); },
                                       [&](const lts::EventPermutation& exchange) {
-                                          return std::all_of(exchange.begin(), exchange.end(), [&](const auto& pair) {
+                                          return std::ranges::all_of(exchange, [&](const auto& pair) {
                                               return among(goal, pair.first) == among(goal, pair.second);
                                           });
                                       },

@@ -78,7 +78,7 @@ private:
     Run run_to(std::size_t at) const {
         Run run;
         for (; at != 0; at = nodes_[at].from) run.steps.push_back(nodes_[at].step);
-        std::reverse(run.steps.begin(), run.steps.end());
+        std::ranges::reverse(run.steps);
         run.initial = nodes_.front().state;
         return run;
     }
@@ -127,7 +127,7 @@ std::optional<Lasso> rounds_of(lts::TransitionSystem& system, const State& state
     std::vector<Run> rounds;
     for (State at = state; rounds.size() < most_rounds; at = rounds.back().last()) {
         const auto begins_here = [&](const Run& round) { return round.initial == at; };
-        const auto first = std::find_if(rounds.begin(), rounds.end(), begins_here);
+        const auto first = std::ranges::find_if(rounds, begins_here);
         if (first != rounds.end()) {
             Lasso lasso{{state, {}}, {at, {}}};
             for (auto round = rounds.begin(); round != rounds.end(); ++round)
@@ -179,7 +179,7 @@ std::function<bool(const State&, const Moves&)> as_bad_as(lts::TransitionSystem&
         case ViolationKind::nondeterminism:
             return [event = violation.event](const State&, const Moves& moves) {
                 const auto own = acceptance(moves.offer);
-                return own && event && !std::binary_search(own->begin(), own->end(), *event);
+                return own && event && !std::ranges::binary_search(*own, *event);
             };
         default:
             return [](const State&, const Moves&) { return true; };

@@ -29,11 +29,11 @@ void confirm_steps(lts::TransitionSystem& system, const Run& run, Budget& budget
     const State* from = &run.initial;
     for (const RunStep& step : run.steps) {
         const std::vector<RunStep> moves = steps_from(system, *from, budget);
-        require(std::any_of(moves.begin(), moves.end(),
-                            [&](const RunStep& move) {
-                                return move.event == step.event && move.revealed == step.revealed &&
-                                       move.state == step.state;
-                            }),
+        require(std::ranges::any_of(moves,
+                                    [&](const RunStep& move) {
+                                        return move.event == step.event && move.revealed == step.revealed &&
+                                               move.state == step.state;
+                                    }),
                 "a step of the run does not exist");
         from = &step.state;
     }
@@ -53,10 +53,9 @@ struct Conduct {
     /// Whether the state can refuse everything outside `accepted`: a stable state accepts everything that it offers; a
     /// state that can terminate accepts only tick.
     [[nodiscard]] bool can_settle_for(const EventSet& accepted) const {
-        if (events.contains(process::tick))
-            return std::find(accepted.begin(), accepted.end(), process::tick) != accepted.end();
-        return stable() && std::all_of(events.begin(), events.end(), [&](Event event) {
-                   return std::find(accepted.begin(), accepted.end(), event) != accepted.end();
+        if (events.contains(process::tick)) return std::ranges::find(accepted, process::tick) != accepted.end();
+        return stable() && std::ranges::all_of(events, [&](Event event) {
+                   return std::ranges::find(accepted, event) != accepted.end();
                });
     }
     [[nodiscard]] bool can_refuse(Event event) const {
@@ -102,9 +101,8 @@ public:
         return !next.impossible();
     }
     bool can_settle_for(const EventSet& accepted) {
-        return std::any_of(states_.begin(), states_.end(), [&](const State& state) {
-            return conduct_of(system_, state, budget_).can_settle_for(accepted);
-        });
+        return std::ranges::any_of(
+            states_, [&](const State& state) { return conduct_of(system_, state, budget_).can_settle_for(accepted); });
     }
     /// Removes states without a tau, then those all of whose taus lead to removed states, until no state remains or
     /// every remaining one has a tau to a remaining one.

@@ -140,8 +140,7 @@ std::optional<Next> silent_head(MachineTables& tables, const RunningThread& runn
             return done(running, values);
         case ItemKind::join: {
             const auto& beside = running.owner().durings;
-            if (std::any_of(beside.begin(), beside.end(), [&](const During& d) { return d.node == item.node; }))
-                return std::nullopt;
+            if (std::ranges::any_of(beside, [&](const During& d) { return d.node == item.node; })) return std::nullopt;
             return done(running, values);
         }
         case ItemKind::enter:

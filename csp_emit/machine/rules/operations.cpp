@@ -35,7 +35,7 @@ Values called_values(MachineTables& tables, const RunningThread& running, const 
     for (std::size_t i = 0; i < frame.machine->variables.size(); ++i) {
         const ir::Variable& variable = frame.machine->variables[i];
         const CellId cell = frame.variables[i];
-        if (std::find(frame.own.begin(), frame.own.end(), cell) == frame.own.end()) continue;  // belongs to the caller
+        if (std::ranges::find(frame.own, cell) == frame.own.end()) continue;  // belongs to the caller
         const bool given = variable.scope == ir::VariableScope::parameter && parameter < stmt.args.size();
         inside[cell] = given ? expression_as(tables.project(), tables.frames.scope(running.frame(), values),
                                              *stmt.args[parameter++], variable.type)

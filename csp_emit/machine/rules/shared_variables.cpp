@@ -15,7 +15,7 @@ namespace {
 
 bool others_write(const MachineTables& tables) {
     const auto& variables = tables.frames.root().variables;
-    return std::any_of(variables.begin(), variables.end(), [&](CellId cell) { return tables.cells[cell].shared; });
+    return std::ranges::any_of(variables, [&](CellId cell) { return tables.cells[cell].shared; });
 }
 
 /// Whether the statement may contain a part during which no other component may write.
@@ -23,10 +23,8 @@ bool may_refuse_writes(const MachineTables& tables, const ir::Stmt& stmt) {
     const auto function = [](const ir::Expr& part) { return part.kind == ir::ExprKind::call; };
     const auto expressions = reads(stmt);
     return stmt.kind == ir::StmtKind::call || (tables.timed() && stmt.kind == ir::StmtKind::deadline) ||
-           std::any_of(expressions.begin(), expressions.end(),
-                       [&](const ir::Expr* expr) { return mentions(*expr, function); }) ||
-           std::any_of(stmt.body.begin(), stmt.body.end(),
-                       [&](const auto& part) { return may_refuse_writes(tables, *part); });
+           std::ranges::any_of(expressions, [&](const ir::Expr* expr) { return mentions(*expr, function); }) ||
+           std::ranges::any_of(stmt.body, [&](const auto& part) { return may_refuse_writes(tables, *part); });
 }
 
 /// Whether other components cannot write in the current state of the thread.
@@ -49,7 +47,7 @@ bool refuses_writes(const MachineTables& tables, const RunningThread& running, b
 bool reads_in_turn(const MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt) {
     const auto variable = [](const ir::Expr& part) { return part.kind == ir::ExprKind::variable; };
     return stmt.kind == ir::StmtKind::call && !defined(tables, running, stmt) && others_write(tables) &&
-           std::any_of(stmt.args.begin(), stmt.args.end(), [&](const auto& arg) { return mentions(*arg, variable); });
+           std::ranges::any_of(stmt.args, [&](const auto& arg) { return mentions(*arg, variable); });
 }
 
 void left_before(const MachineTables& tables, const ir::StmtPtr& next, ir::NodeId node,

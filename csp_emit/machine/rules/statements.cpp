@@ -29,8 +29,7 @@ bool stable(const MachineTables& tables, std::uint32_t frame, const ir::Stmt& st
         return cell.shared || (!alone && !cell.parameter);
     };
     const auto expressions = reads(stmt);
-    return std::none_of(expressions.begin(), expressions.end(),
-                        [&](const ir::Expr* expr) { return mentions(*expr, unsteady); });
+    return std::ranges::none_of(expressions, [&](const ir::Expr* expr) { return mentions(*expr, unsteady); });
 }
 
 bool reads_only_names(const MachineTables& tables, std::uint32_t frame, const ir::Stmt& stmt, const Values& values) {
@@ -44,8 +43,7 @@ bool reads_only_names(const MachineTables& tables, std::uint32_t frame, const ir
         return found != values.end() && !atomic(found->second);
     };
     const auto expressions = reads(stmt);
-    return std::none_of(expressions.begin(), expressions.end(),
-                        [&](const ir::Expr* expr) { return mentions(*expr, heavy); });
+    return std::ranges::none_of(expressions, [&](const ir::Expr* expr) { return mentions(*expr, heavy); });
 }
 
 bool defined(const MachineTables& tables, const RunningThread& running, const ir::Stmt& call) {

@@ -18,8 +18,7 @@ namespace {
 std::vector<NodeId> not_entered_around(const ir::Machine& machine, const Activation& activation, NodeId node) {
     std::vector<NodeId> result;
     for (NodeId above = machine.nodes[node.index].parent; above.valid(); above = machine.nodes[above.index].parent)
-        if (std::find(activation.entered.begin(), activation.entered.end(), above) == activation.entered.end())
-            result.push_back(above);
+        if (std::ranges::find(activation.entered, above) == activation.entered.end()) result.push_back(above);
     return result;
 }
 
@@ -31,8 +30,8 @@ bool is_within(const ir::Machine& machine, NodeId node, NodeId state) {
 
 /// The running machine of that frame; finds the owner of a thread again after a change.
 const RunningMachine* machine_of(const View& view, std::uint32_t frame) {
-    const auto found = std::find_if(view.machines.begin(), view.machines.end(),
-                                    [&](const RunningMachine& running) { return running.activation->frame == frame; });
+    const auto found = std::ranges::find_if(
+        view.machines, [&](const RunningMachine& running) { return running.activation->frame == frame; });
     return found == view.machines.end() ? nullptr : &*found;
 }
 
@@ -44,13 +43,13 @@ void put_entered(const ir::Machine& machine, NodeId id, Activation& activation) 
             if (above == other) return true;
         return false;
     };
-    activation.entered.insert(std::find_if_not(activation.entered.begin(), activation.entered.end(), outer), id);
+    activation.entered.insert(std::ranges::find_if_not(activation.entered, outer), id);
     if (node.kind != NodeKind::state || !node.during) return;
     Item first;
     first.stmt = node.during.get();
     first.label = "during action of " + node.path;
-    const auto behind_outer = std::find_if_not(activation.durings.begin(), activation.durings.end(),
-                                               [&](const During& during) { return outer(during.node); });
+    const auto behind_outer =
+        std::ranges::find_if_not(activation.durings, [&](const During& during) { return outer(during.node); });
     activation.durings.insert(behind_outer, {id, {push(first, nullptr), nullptr}});
 }
 
@@ -65,7 +64,7 @@ bool is_final(const MachineTables& tables, const Activation& activation) {
 bool is_in(const MachineTables& tables, const Activation& activation, NodeId state) {
     const ir::Machine& machine = *tables.frames[activation.frame].machine;
     const auto& entered = activation.entered;
-    if (std::find(entered.begin(), entered.end(), state) != entered.end()) return true;
+    if (std::ranges::find(entered, state) != entered.end()) return true;
     if (is_within(machine, activation.at, state)) return true;
     // After a transition from its initial node the state is entered together with its first inner state.
     for (const Link* link = activation.control.rest.get(); link != nullptr; link = link->tail.get())

@@ -114,9 +114,9 @@ bool stops_time(const MachineTables& tables, const RunningThread& running, bool 
 
 bool urgent(const MachineTables& tables, const View& view) {
     const bool alone = view.threads.size() == 1;
-    return std::any_of(view.threads.begin(), view.threads.end(),
-                       [&](const RunningThread& running) { return stops_time(tables, running, alone); }) ||
-           std::any_of(view.machines.begin(), view.machines.end(), [&](const RunningMachine& running) {
+    return std::ranges::any_of(view.threads,
+                               [&](const RunningThread& running) { return stops_time(tables, running, alone); }) ||
+           std::ranges::any_of(view.machines, [&](const RunningMachine& running) {
                return has_urgent_transition(tables, *running.activation);
            });
 }
@@ -129,7 +129,7 @@ std::vector<std::pair<CellId, ExprPtr>> monitors(const MachineTables& tables, co
         for (const auto& [id, cell] : frame.monitors) {
             const ir::Transition& transition = frame.machine->transitions[id];
             const auto& entered = running.activation->entered;
-            if (std::find(entered.begin(), entered.end(), transition.source) == entered.end()) continue;
+            if (std::ranges::find(entered, transition.source) == entered.end()) continue;
             // The monitor receives no value: it reads the variable (semantics 3.10).
             const bool receives = transition.trigger && transition.trigger->kind == ir::CommKind::input;
             const ExprPtr known =
@@ -205,7 +205,7 @@ std::vector<CellId> clocks_needed(const MachineTables& tables, const View& view)
         for (const ir::TransitionId id : candidates(tables, *running.activation))
             if (const auto& guard = frame.machine->transitions[id.index].guard) (void)mentions(*guard, note);
     }
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
 }

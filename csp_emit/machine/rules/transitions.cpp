@@ -226,7 +226,7 @@ std::vector<ir::TransitionId> candidates(const MachineTables& tables, const Acti
 
 bool has_urgent_transition(const MachineTables& tables, const Activation& activation) {
     const auto enabled = candidates(tables, activation);
-    return std::any_of(enabled.begin(), enabled.end(), [&](ir::TransitionId id) {
+    return std::ranges::any_of(enabled, [&](ir::TransitionId id) {
         const ir::Transition& transition = tables.frames[activation.frame].machine->transitions[id.index];
         return !transition.trigger && !transition.guard;
     });

@@ -18,7 +18,7 @@ namespace {
 /// Index of the element with that name, if it exists.
 template <class Element>
 std::optional<std::size_t> find_named(const std::vector<Element>& elements, const std::string& name) {
-    const auto found = std::find_if(elements.begin(), elements.end(), [&](const Element& e) { return e.name == name; });
+    const auto found = std::ranges::find_if(elements, [&](const Element& e) { return e.name == name; });
     if (found == elements.end()) return std::nullopt;
     return static_cast<std::size_t>(found - elements.begin());
 }
@@ -36,8 +36,8 @@ bool reads_clock(const ir::Machine& machine, std::uint32_t clock) {
         if (part.kind == ir::ExprKind::since) return part.clock.index == clock;
         return part.kind == ir::ExprKind::since_entry && machine.clocks[clock].entry_of == part.node;
     };
-    return std::any_of(machine.transitions.begin(), machine.transitions.end(),
-                       [&](const ir::Transition& t) { return t.guard && mentions(*t.guard, uses); });
+    return std::ranges::any_of(machine.transitions,
+                               [&](const ir::Transition& t) { return t.guard && mentions(*t.guard, uses); });
 }
 
 }  // namespace
@@ -144,7 +144,7 @@ bool ActivationRecords::read_somewhere(const ir::Machine& opened, ir::ClockId id
         return found && operation->clocks[*found].required &&
                reads_clock(*operation, static_cast<std::uint32_t>(*found));
     };
-    return reads_clock(opened, id.index) || std::any_of(below.begin(), below.end(), inherits);
+    return reads_clock(opened, id.index) || std::ranges::any_of(below, inherits);
 }
 
 void ActivationRecords::add_constants(Frame& frame) const {
@@ -236,8 +236,7 @@ Scope ActivationRecords::scope(std::uint32_t index, const Values& values, ExprPt
     };
     result.entry_clock = [this, index, values_now](ir::NodeId node) {
         const auto& clocks = frames_[index].machine->clocks;
-        const auto found =
-            std::find_if(clocks.begin(), clocks.end(), [&](const auto& c) { return c.entry_of == node; });
+        const auto found = std::ranges::find_if(clocks, [&](const auto& c) { return c.entry_of == node; });
         const auto number = static_cast<std::size_t>(found - clocks.begin());
         return cells_.value(frames_[index].clocks.at(number).value(), *values_now);
     };

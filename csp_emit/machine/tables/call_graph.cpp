@@ -38,7 +38,7 @@ bool has_cycle(const Callees& callees) {
         for (const ir::Machine* operation : found->second)
             if (--callers[operation] == 0) work.push_back(operation);
     }
-    return std::any_of(callers.begin(), callers.end(), [](const auto& left) { return left.second > 0; });
+    return std::ranges::any_of(callers, [](const auto& left) { return left.second > 0; });
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ CallGraph::CallGraph(MachineContext& context) : context_(context) {
 }
 
 void CallGraph::collect(const ir::Machine& owner, NameManager& names) {
-    if (std::find(reached_.begin(), reached_.end(), &owner) != reached_.end()) return;
+    if (std::ranges::find(reached_, &owner) != reached_.end()) return;
     reached_.push_back(&owner);
     for (std::uint32_t i = 0; i < owner.constants.size(); ++i) {
         const ir::Constant& constant = owner.constants[i];
@@ -70,7 +70,7 @@ std::vector<const ir::Machine*> CallGraph::callable() const {
     std::vector<const ir::Machine*> result;
     for (const auto& [name, id] : context_.definitions) {
         const ir::Machine* operation = &context_.project->system.machine(id);
-        if (std::find(reached_.begin(), reached_.end(), operation) != reached_.end()) result.push_back(operation);
+        if (std::ranges::find(reached_, operation) != reached_.end()) result.push_back(operation);
     }
     return result;
 }

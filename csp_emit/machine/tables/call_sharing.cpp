@@ -103,8 +103,7 @@ void CallSharing::describe(Candidates& candidates) const {
 }
 
 void CallSharing::declare(std::vector<cspm::DeclPtr>& decls) const {
-    if (std::none_of(returns_.begin(), returns_.end(),
-                     [](const auto& returns) { return returns.second.continuations.size() > 1; }))
+    if (std::ranges::none_of(returns_, [](const auto& returns) { return returns.second.continuations.size() > 1; }))
         return;
     using cspm::PatternKind;
     const auto pattern = [](PatternKind kind, const std::string& text, std::vector<cspm::PatternPtr> parts) {

@@ -111,7 +111,7 @@ ExprPtr ClockLimits::bound_in_units(const ir::Machine& checked, const ir::Expr& 
     names.constant = [&](ir::ConstantId id) {
         const auto same = [&](const ConstantParameter& c) { return c.owner == &checked && c.id == id; };
         const auto& constants = calls_.constants();
-        return b::name(std::find_if(constants.begin(), constants.end(), same)->inside);
+        return b::name(std::ranges::find_if(constants, same)->inside);
     };
     names.placed = false;  // evaluated for all values of a type, not in a state
     names.clock = [](ir::ClockId) { return b::number(0); };

@@ -18,8 +18,7 @@ constexpr std::size_t largest_inline = 40;
 bool larger_than(const cspm::Expr& expr, std::size_t& nodes) {
     if (nodes == 0) return true;
     --nodes;
-    return std::any_of(expr.args.begin(), expr.args.end(),
-                       [&](const cspm::ExprPtr& part) { return part && larger_than(*part, nodes); });
+    return std::ranges::any_of(expr.args, [&](const cspm::ExprPtr& part) { return part && larger_than(*part, nodes); });
 }
 
 }  // namespace

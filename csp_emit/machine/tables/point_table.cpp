@@ -35,7 +35,7 @@ const Point& PointTable::end_of(std::uint32_t frame) {
         end.frame = frame;
         const auto& nodes = frames_[frame].machine->nodes;
         const auto is_end = [](const ir::Node& n) { return n.kind == ir::NodeKind::final && !n.parent.valid(); };
-        const auto final = std::find_if(nodes.begin(), nodes.end(), is_end);
+        const auto final = std::ranges::find_if(nodes, is_end);
         end.at = ir::NodeId{static_cast<std::uint32_t>(final - nodes.begin())};
         points_.push_back({end, context_.names.unique(frames_[frame].prefix + "return__"), true});
     }

@@ -153,7 +153,7 @@ public:
     }
     [[nodiscard]] bool somebody_within(std::size_t robot, const Sensor&, double distance) override {
         const auto& heard = robots_[robot].hands->radio->GetReadings();
-        return std::any_of(heard.begin(), heard.end(), [&](const auto& packet) { return packet.Range <= distance; });
+        return std::ranges::any_of(heard, [&](const auto& packet) { return packet.Range <= distance; });
     }
     [[nodiscard]] std::optional<double> direction_of_others(std::size_t robot, const Sensor&,
                                                             double distance) override {
@@ -170,8 +170,7 @@ public:
     }
     [[nodiscard]] std::uint32_t lit_sensors(std::size_t robot, const Sensor&) override {
         const auto& readings = robots_[robot].hands->light->GetReadings();
-        return static_cast<std::uint32_t>(
-            std::count_if(readings.begin(), readings.end(), [](double reading) { return reading > 0; }));
+        return static_cast<std::uint32_t>(std::ranges::count_if(readings, [](double reading) { return reading > 0; }));
     }
     [[nodiscard]] bool close_within(std::size_t robot, const Sensor& sensor, double distance) override {
         const double gap = 2 * std::numbers::pi / sensor.proximity.sensors;
@@ -242,8 +241,8 @@ private:
 };
 
 std::size_t count(const Scenario& scenario, SensorKind kind) {
-    return static_cast<std::size_t>(std::count_if(scenario.sensors.begin(), scenario.sensors.end(),
-                                                  [&](const Sensor& sensor) { return sensor.kind == kind; }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(scenario.sensors, [&](const Sensor& sensor) { return sensor.kind == kind; }));
 }
 
 void refuse_sensors(const Scenario& scenario, diagnostics::Diagnostics& diagnostics) {

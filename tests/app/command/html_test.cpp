@@ -281,7 +281,7 @@ std::vector<std::vector<std::string>> states_of(const nlohmann::json& machines,
                                                 const std::vector<std::string>& components) {
     std::vector<std::vector<std::string>> result(components.size());
     for (const auto& machine : machines) {
-        const auto at = std::find(components.begin(), components.end(), machine["component"]) - components.begin();
+        const auto at = std::ranges::find(components, machine["component"]) - components.begin();
         for (const std::string element : machine["active"])
             result.at(static_cast<std::size_t>(at)).push_back(element.substr(element.rfind(':') + 1));
     }

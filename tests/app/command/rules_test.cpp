@@ -55,7 +55,7 @@ TEST(Rules, TellTheSituation) {
     EXPECT_THAT(ran.out, HasSubstr("with Go, near: it asks for Stop up to second"));
     EXPECT_THAT(ran.out, HasSubstr("with Halt: it forbids Stop up to second"));
     EXPECT_THAT(ran.out, HasSubstr("Stop has to come, and may not\n"));
-    EXPECT_LE(std::count(ran.out.begin(), ran.out.end(), '\n'), 8 + 1);
+    EXPECT_LE(std::ranges::count(ran.out, '\n'), 8 + 1);
 }
 
 TEST(Rules, AnswerAsJson) {

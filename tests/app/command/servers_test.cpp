@@ -60,8 +60,7 @@ std::vector<Element> elements(const std::string& document) {
 }
 
 std::size_t count(const std::vector<Element>& all, const std::string& name) {
-    return static_cast<std::size_t>(
-        std::count_if(all.begin(), all.end(), [&](const Element& each) { return each.name == name; }));
+    return static_cast<std::size_t>(std::ranges::count_if(all, [&](const Element& each) { return each.name == name; }));
 }
 
 TEST(Junit, IsWellFormedWhateverItHolds) {

@@ -67,7 +67,7 @@ std::vector<std::string> written_documents() {
         if (at->is_regular_file() && at->path().extension() == ".md" && name != "CHANGELOG.md")
             result.push_back(fs::relative(at->path(), root).string());
     }
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     return result;
 }
 
@@ -81,8 +81,8 @@ std::string first_word(const std::string& text) {
 /// The commands in a block: the lines after `$ ` if there are any, otherwise all lines. A command may continue on the
 /// next line; comments and indented lines belong to the command above.
 std::vector<std::string> commands_of(const Block& block) {
-    const bool marked = std::any_of(block.lines.begin(), block.lines.end(),
-                                    [](const std::string& line) { return line.starts_with("$ "); });
+    const bool marked =
+        std::ranges::any_of(block.lines, [](const std::string& line) { return line.starts_with("$ "); });
     std::vector<std::string> result;
     bool continues = false;
     for (const std::string& line : block.lines) {
@@ -104,7 +104,7 @@ bool looks_like_command(const std::string& line) {
 }
 
 const NotRun* exception_for(const std::string& document, const std::string& command) {
-    const auto* const found = std::find_if(not_run.begin(), not_run.end(), [&](const NotRun& each) {
+    const auto* const found = std::ranges::find_if(not_run, [&](const NotRun& each) {
         return (each.document.empty() || each.document == document) && command.starts_with(each.command);
     });
     return found == not_run.end() ? nullptr : found;
@@ -123,7 +123,7 @@ std::vector<std::string> faults_of(const std::string& document, std::set<const N
                 if (exception == nullptr) faults.push_back(place + "neither run nor excepted: " + command);
                 used.insert(exception);
             }
-        } else if (std::find(no_commands.begin(), no_commands.end(), language) == no_commands.end()) {
+        } else if (std::ranges::find(no_commands, language) == no_commands.end()) {
             faults.push_back(place + "is this `console`, `sh` or `text`?");
         } else if (language == "text") {
             for (const std::string& line : block.lines)
@@ -210,7 +210,7 @@ Words alternatives(const std::string& word) {
 
 /// "MODEL", "N": a placeholder for the reader's value.
 bool is_placeholder(const std::string& word) {
-    return !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return !word.empty() && std::ranges::all_of(word, [](unsigned char c) {
         return std::isupper(c) != 0 || std::isdigit(c) != 0 || c == '_' || c == '.' || c == '=' || c == '|';
     });
 }
@@ -251,7 +251,7 @@ std::string wrong_options(Verbs verb, const Words& words, std::size_t at) {
 /// The first problem with the words after `robochart-verify`; "" if there is none.
 std::string wrong_call(const Words& words) {
     const Words first = first_words();
-    const bool verb_given = !words.empty() && std::find(first.begin(), first.end(), words[0]) != first.end();
+    const bool verb_given = !words.empty() && std::ranges::find(first, words[0]) != first.end();
     if (!verb_given) {
         const bool input = words.empty() || words[0].starts_with('-') || is_placeholder(words[0]) ||
                            words[0].find_first_of("./") != std::string::npos ||
@@ -289,9 +289,9 @@ std::vector<Words> calls_in(const std::string& text) {
 bool is_call_of_verb(const std::string& text) {
     const Words words = words_of(text);
     const Words first = first_words();
-    if (words.size() < 2 || std::find(first.begin(), first.end(), words[0]) == first.end()) return false;
+    if (words.size() < 2 || std::ranges::find(first, words[0]) == first.end()) return false;
     return words[0] == "emit" ||
-           std::any_of(words.begin(), words.end(), [](const std::string& word) { return word.starts_with("--"); });
+           std::ranges::any_of(words, [](const std::string& word) { return word.starts_with("--"); });
 }
 
 TEST(CommandsInDocuments, HaveVerbsAndOptionsThatExist) {

@@ -62,7 +62,7 @@ void furnish(const Folder& folder) {
 
 bool has_session(const std::string& document) {
     const std::vector<Step> all = steps(tests::contents(repository(document)));
-    return std::any_of(all.begin(), all.end(), [](const Step& step) { return step.index() == 1; });
+    return std::ranges::any_of(all, [](const Step& step) { return step.index() == 1; });
 }
 
 std::vector<std::string> documents() {
@@ -71,7 +71,7 @@ std::vector<std::string> documents() {
         if (entry.path().extension() == ".md") result.push_back("docs/" + entry.path().filename().string());
     result.emplace_back("README.md");
     std::erase_if(result, [](const std::string& document) { return !has_session(document); });
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     return result;
 }
 
@@ -90,7 +90,7 @@ TEST_P(Document, PrintsWhatItShows) {
 
 INSTANTIATE_TEST_SUITE_P(OfTheProject, Document, ::testing::ValuesIn(documents()), [](const auto& document) {
     std::string name = fs::path(document.param).stem().string();
-    std::replace(name.begin(), name.end(), '-', '_');
+    std::ranges::replace(name, '-', '_');
     return name;
 });
 

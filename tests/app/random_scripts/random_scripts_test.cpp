@@ -30,7 +30,7 @@ bool has_one_meaning(const Case& asked) {
     const auto used = [&](const std::string& word) { return text.find(word) != std::string::npos; };
     const std::vector<std::string> compressions{"normal(",    "bisim(",     "diamond(",      "_factor(",
                                                 "_compress(", "explicate(", "lazyenumerate("};
-    return !used("chase(") || std::none_of(compressions.begin(), compressions.end(), used);
+    return !used("chase(") || std::ranges::none_of(compressions, used);
 }
 
 /// Several ways to state that a name is a process. They include text that FDR never evaluates, and a name with another
@@ -136,8 +136,7 @@ TEST(RandomScripts, AreDecidedByTheCommandAsByDefinition) {
     std::size_t checks = 0;
     for (int i = 0; i < wanted; ++i) {
         scripts.next();
-        const bool all_hold =
-            std::all_of(scripts.asked.begin(), scripts.asked.end(), [](const Asked& each) { return each.holds; });
+        const bool all_hold = std::ranges::all_of(scripts.asked, [](const Asked& each) { return each.holds; });
         const TemporaryFile file("random.csp", scripts.script);
         const Ran ran = run_on(file, {"--format", "json"});
         ASSERT_EQ(ran.exit, all_hold ? 0 : 1) << ran.err << scripts.script;

@@ -26,7 +26,7 @@ bool has_one_meaning(const Case& asked) {
     const auto used = [&](const std::string& word) { return text.find(word) != std::string::npos; };
     const std::vector<std::string> compressions{"normal(",    "bisim(",     "diamond(",      "_factor(",
                                                 "_compress(", "explicate(", "lazyenumerate("};
-    return !used("chase(") || std::none_of(compressions.begin(), compressions.end(), used);
+    return !used("chase(") || std::ranges::none_of(compressions, used);
 }
 
 /// How a script is decided. Processes that stay terms are packed from the start, or never.

@@ -89,7 +89,7 @@ std::size_t compare_folder(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
         if (entry.path().extension() == ".csp") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
+    std::ranges::sort(files);
     std::size_t compared = 0;
     for (const std::filesystem::path& file : files) try {
             compared += compare(file);

@@ -31,7 +31,7 @@ struct Joint {
 };
 
 std::uint32_t place_of(const EventSet& alphabet, Event event) {
-    return static_cast<std::uint32_t>(std::lower_bound(alphabet.begin(), alphabet.end(), event) - alphabet.begin());
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(alphabet, event) - alphabet.begin());
 }
 
 class Conditions : public testing::Test {
@@ -82,8 +82,7 @@ protected:
                                           const std::vector<EventSet>& alphabets) {
         std::vector<Requirement> result;
         for (std::uint32_t who = 0; who < participants.size(); ++who) {
-            const bool asked =
-                std::find(joint.slots.begin(), joint.slots.end(), participants[who].index) != joint.slots.end();
+            const bool asked = std::ranges::find(joint.slots, participants[who].index) != joint.slots.end();
             if (!participants[who].is_region && asked) result.push_back({who, place_of(alphabets[who], joint.event)});
         }
         return result;

@@ -48,8 +48,8 @@ protected:
             if (chance == 0) plan[{slots, slots}] = {};
             Slots more = slots;
             for (std::uint32_t slot = 0; slot < combined->components.size(); ++slot)
-                if (!std::binary_search(slots.begin(), slots.end(), slot) && numbers() % 2 == 0) more.push_back(slot);
-            std::sort(more.begin(), more.end());
+                if (!std::ranges::binary_search(slots, slot) && numbers() % 2 == 0) more.push_back(slot);
+            std::ranges::sort(more);
             if (chance == 1 && more != slots) plan[{slots, slots}] = more;
         }
         return plan;

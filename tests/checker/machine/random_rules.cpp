@@ -23,7 +23,7 @@ ComponentPtr RandomRules::component(TermId meaning) {
             const Event by = event(30);
             row.push_back({by, by, below(size)});
         }
-        std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.event < b.event; });
+        std::ranges::sort(row, [](const auto& a, const auto& b) { return a.event < b.event; });
     }
     return std::make_shared<const Component>(rows, std::vector<TermId>(size, meaning));
 }

@@ -14,8 +14,7 @@ Region region_of(std::vector<Participant> participants, std::vector<EventSet> al
     const auto lead = [](const DraftRule& draft) {
         return std::pair(draft.parts.front().participant, draft.parts.front().event);
     };
-    std::stable_sort(drafts.begin(), drafts.end(),
-                     [&](const DraftRule& a, const DraftRule& b) { return lead(a) < lead(b); });
+    std::ranges::stable_sort(drafts, [&](const DraftRule& a, const DraftRule& b) { return lead(a) < lead(b); });
     std::set<Event> events;
     for (const DraftRule& draft : drafts) events.insert(draft.event);
     made.alphabet.assign(events.begin(), events.end());
@@ -28,8 +27,8 @@ Region region_of(std::vector<Participant> participants, std::vector<EventSet> al
             for (; next != drafts.end() && lead(*next) == std::pair(who, by); ++next) {
                 Rule rule{};
                 rule.event = rule.revealed = next->event;
-                rule.place = static_cast<std::uint32_t>(
-                    std::lower_bound(made.alphabet.begin(), made.alphabet.end(), next->event) - made.alphabet.begin());
+                rule.place = static_cast<std::uint32_t>(std::ranges::lower_bound(made.alphabet, next->event) -
+                                                        made.alphabet.begin());
                 rule.level = next->event < levels.size() ? levels[next->event] : no_level;
                 rule.lead = next->parts.front();
                 rule.first_requirement = static_cast<std::uint32_t>(made.requirements.size());
@@ -49,8 +48,7 @@ ComponentPtr component_of(const std::vector<std::vector<std::pair<Event, Local>>
     std::vector<std::vector<Component::RawEdge>> edges(rows.size());
     for (std::size_t state = 0; state < rows.size(); ++state) {
         for (const auto& [event, target] : rows[state]) edges[state].push_back({event, event, target});
-        std::stable_sort(edges[state].begin(), edges[state].end(),
-                         [](const auto& a, const auto& b) { return a.event < b.event; });
+        std::ranges::stable_sort(edges[state], [](const auto& a, const auto& b) { return a.event < b.event; });
     }
     return std::make_shared<const Component>(edges, std::vector<TermId>(rows.size(), meaning));
 }

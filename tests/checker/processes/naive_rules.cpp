@@ -32,8 +32,7 @@ public:
     Moves moves(const Process& p) const {
         Moves result = fire(p);
         const auto rank = [](Letter l) { return l == tau ? -2 : l == tick ? -1 : l; };
-        std::stable_sort(result.begin(), result.end(),
-                         [&](const Move& x, const Move& y) { return rank(x.letter) < rank(y.letter); });
+        std::ranges::stable_sort(result, [&](const Move& x, const Move& y) { return rank(x.letter) < rank(y.letter); });
         return result;
     }
 
@@ -230,8 +229,9 @@ private:
         const Moves right = moves(p->operands[1]);
         Moves result = together(p, everyone(p), tick);
         const auto free = [&](Letter l, bool first) {
-            return l != tick && std::none_of(p->renaming.begin(), p->renaming.end(),
-                                             [&](const auto& link) { return l == (first ? link.first : link.second); });
+            return l != tick && std::ranges::none_of(p->renaming, [&](const auto& link) {
+                       return l == (first ? link.first : link.second);
+                   });
         };
         for (const Move& m : left)
             if (free(m.letter, true)) result.push_back({m.letter, with(p, 0, m.target)});
@@ -289,8 +289,7 @@ private:
         const Moves all = moves(p->operands[0]);
         Moves result;
         for (const Move& m : all) {
-            const bool cut =
-                std::any_of(all.begin(), all.end(), [&](const Move& o) { return higher(p, o.letter, m.letter); });
+            const bool cut = std::ranges::any_of(all, [&](const Move& o) { return higher(p, o.letter, m.letter); });
             if (!cut) result.push_back({m.letter, m.letter == tick ? omega : with(p, 0, m.target)});
         }
         return result;
@@ -307,7 +306,7 @@ Moves Rules::chase(const Process& p) const {
     std::set<std::string> passed;
     for (;;) {
         const Moves all = moves(at);
-        const auto first = std::find_if(all.begin(), all.end(), [](const Move& m) { return m.letter == tau; });
+        const auto first = std::ranges::find_if(all, [](const Move& m) { return m.letter == tau; });
         if (first == all.end()) break;
         if (!passed.insert(show(at)).second) return {{tau, with(p, 0, at)}};
         at = first->target;

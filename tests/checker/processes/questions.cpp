@@ -168,7 +168,7 @@ std::vector<Case> smaller(const Case& asked) {
             result.back().script.definitions[i] = next;
         }
     const auto size = [](const Case& each) { return show(each.script).size(); };
-    std::stable_sort(result.begin(), result.end(), [&](const Case& x, const Case& y) { return size(x) < size(y); });
+    std::ranges::stable_sort(result, [&](const Case& x, const Case& y) { return size(x) < size(y); });
     return result;
 }
 

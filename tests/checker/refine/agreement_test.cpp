@@ -124,13 +124,13 @@ void double_process(Case& asked, RandomWays& numbers) {
 
 bool uses(const naive::Process& process, naive::Kind kind) {
     if (process->kind == kind) return true;
-    return std::any_of(process->operands.begin(), process->operands.end(),
-                       [kind](const naive::Process& operand) { return uses(operand, kind); });
+    return std::ranges::any_of(process->operands,
+                               [kind](const naive::Process& operand) { return uses(operand, kind); });
 }
 
 bool uses(const naive::Script& script, naive::Kind kind) {
     const auto somewhere = [kind](const std::vector<naive::Process>& list) {
-        return std::any_of(list.begin(), list.end(), [kind](const auto& each) { return uses(each, kind); });
+        return std::ranges::any_of(list, [kind](const auto& each) { return uses(each, kind); });
     };
     return somewhere(script.definitions) || somewhere(script.mains);
 }
@@ -345,7 +345,7 @@ TEST_F(Agreement, AFaultIsFoundAndShrunk) {
         const auto graphs = explore(asked, largest_graph);
         const auto others = explore(other, largest_graph);
         if (!graphs || !others) return false;
-        return std::any_of(questions().begin(), questions().end(), [&](const Question& question) {
+        return std::ranges::any_of(questions(), [&](const Question& question) {
             return expected(question, *graphs, asked.trace) != expected(question, *others, asked.trace);
         });
     };

@@ -63,7 +63,7 @@ private:
     }
 
     bool violates() const {
-        const auto somewhere = [&](const auto& wrong) { return std::any_of(at_.begin(), at_.end(), wrong); };
+        const auto somewhere = [&](const auto& wrong) { return std::ranges::any_of(at_, wrong); };
         switch (counterexample_.kind) {
             case ViolationKind::trace:
                 return refines() && allowed_.empty() && !before_.empty();
@@ -125,7 +125,7 @@ private:
         States level{0};
         States seen = level;
         for (std::size_t steps = 0; !level.empty(); ++steps) {
-            if (std::any_of(level.begin(), level.end(), wanted)) return steps;
+            if (std::ranges::any_of(level, wanted)) return steps;
             States next;
             for (const int state : level)
                 for (const naive::Graph::Edge& edge : process_.graph().edges[static_cast<std::size_t>(state)])

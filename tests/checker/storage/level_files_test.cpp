@@ -83,9 +83,8 @@ TEST_F(Levels, AreReadAgainAfterACheckpoint) {
     for (std::uint32_t level = 0; level < 13; ++level) files.add_level(rows_of(level));
     expect_levels(files);
     const std::vector<std::vector<Word>> unsure{{7, 7, 7, 4}, {}, {1, 0, 0, 6, 2, 0, 0, 6, 7, 7, 7, 4}};
-    files.checkpoint({{1, 2, 3, 4, 5, 6},
-                      [&](const TakeRows& take) { std::for_each(unsure.begin(), unsure.end(), take); },
-                      {{10, 0}, {20, 5}}});
+    files.checkpoint(
+        {{1, 2, 3, 4, 5, 6}, [&](const TakeRows& take) { std::ranges::for_each(unsure, take); }, {{10, 0}, {20, 5}}});
     for (std::uint32_t level = 13; level < 20; ++level) files.add_level(rows_of(level));
 
     const std::vector<Checkpoint> found = newest();

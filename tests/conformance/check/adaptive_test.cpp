@@ -38,7 +38,7 @@ public:
 
     void reset() { code_.initial(image_.data()); }
     std::vector<std::string> cycle(const std::vector<std::string>& inputs) {
-        const auto symbol = std::find(graph_.inputs.begin(), graph_.inputs.end(), inputs) - graph_.inputs.begin();
+        const auto symbol = std::ranges::find(graph_.inputs, inputs) - graph_.inputs.begin();
         std::vector<rc_register> registers;
         for (const std::uint32_t r : machine_.inputs[static_cast<std::size_t>(symbol)])
             registers.push_back({r == 0 ? 0U : 1U, r == 0 ? 0U : r - 1});

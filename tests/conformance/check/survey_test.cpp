@@ -166,7 +166,7 @@ TEST_F(Survey, EveryComponentConformsButTheExceptions) {
     projects.push_back(shared + "/suite/robotool-csp-2026");
     for (const char* folder : {"aggregation", "swarm_taxis"})
         projects.push_back(tests::source_folder().string() + "/corpus/" + folder);
-    std::sort(projects.begin(), projects.end());
+    std::ranges::sort(projects);
     const char* const only = std::getenv("ROBOCHART_SURVEY");
     for (const std::string& path : projects)
         if (only == nullptr || fs::path(path).filename() == only) project(path);

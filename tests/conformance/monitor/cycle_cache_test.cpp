@@ -72,7 +72,7 @@ public:
                 action.argument[action.count++] = raw(outputs_[one.output], k, one.arguments[k]);
         }
         cycles.tell(whole, signals.data(), actions, RC_DRIVE_QUIESCENT);
-        std::fill(signals.begin(), signals.end(), rc_signal{});
+        std::ranges::fill(signals, rc_signal{});
         ASSERT_EQ(whole.verdict(), single.verdict());
         ASSERT_EQ(whole.state(), single.state());
         ASSERT_STREQ(whole.where(), single.where());
@@ -180,7 +180,7 @@ TEST(CycleCache, AreWhatTheirEventsAre) {
                                                    {{made.output("reached"), {1}}, forward, look}};
         std::shuffle(outcomes.begin(), outcomes.end(), random);
         if (!chance(0.02)) {
-            const auto allowed = std::find_if(outcomes.begin(), outcomes.end(), [&](const auto& outcome) {
+            const auto allowed = std::ranges::find_if(outcomes, [&](const auto& outcome) {
                 Monitor trial = pair.single;
                 pair.tell(trial, outcome);
                 return trial.verdict() == MonitorVerdict::allowed;

@@ -149,7 +149,7 @@ void Study::judge_together(std::vector<Seeded*> together) {
         return each->mutant.kind.fault == cpp_emit::Fault::undeclared_member ||
                each->mutant.kind.fault == cpp_emit::Fault::name_collision;
     };
-    if (std::any_of(together.begin(), together.end(), uncompilable)) drop_uncompilable(together);
+    if (std::ranges::any_of(together, uncompilable)) drop_uncompilable(together);
     if (together.empty()) return;
     std::vector<const cpp_emit::Emission*> codes;
     for (const Seeded* each : together) codes.push_back(&each->code);

@@ -128,8 +128,7 @@ protected:
     void print() const {
         fmt::print("{:24} {:>8} {:>8} {:>8} {:>8}  longest difference\n", "", "mutants", "killed", "same", "variant");
         const auto row = [](const std::string& name, const Count& count) {
-            const std::size_t longest =
-                count.cycles.empty() ? 0 : *std::max_element(count.cycles.begin(), count.cycles.end());
+            const std::size_t longest = count.cycles.empty() ? 0 : *std::ranges::max_element(count.cycles);
             fmt::print("{:24} {:8} {:8} {:8} {:8}  {}\n", name, count.mutants(), count.killed, count.equivalent,
                        count.variants, longest == 0 ? "-" : fmt::format("{} cycles", longest));
         };
@@ -138,8 +137,8 @@ protected:
         row("all", whole_);
         for (const auto& [by, count] : by_) fmt::print("killed by {:40} {:6}\n", by, count);
         for (const std::size_t most : {1U, 2U, 3U, 4U, 5U, 6U, 8U, 12U, 20U, 40U}) {
-            const auto within = static_cast<std::size_t>(std::count_if(
-                whole_.cycles.begin(), whole_.cycles.end(), [&](std::size_t cycles) { return cycles <= most; }));
+            const auto within = static_cast<std::size_t>(
+                std::ranges::count_if(whole_.cycles, [&](std::size_t cycles) { return cycles <= most; }));
             fmt::print("shortest difference within {:2} cycles: {:5.1f} %\n", most,
                        100.0 * static_cast<double>(within) / static_cast<double>(whole_.cycles.size()));
             if (within == whole_.cycles.size()) break;

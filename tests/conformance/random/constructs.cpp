@@ -162,7 +162,7 @@ private:
             const auto defines = [&](const ir::Machine& other) {
                 return other.kind == ir::MachineKind::operation && other.name == name;
             };
-            const bool defined = std::any_of(system_.machines.begin(), system_.machines.end(), defines);
+            const bool defined = std::ranges::any_of(system_.machines, defines);
             note(true, defined ? "call" : "call of the platform");
         }
         if (stmt.kind != StmtKind::communicate) return;

@@ -214,7 +214,7 @@ class Mine : public Implementation {
 public:
     void reset() override { state = 'i'; }
     std::vector<std::string> cycle(const std::vector<std::string>& inputs) override {
-        const auto has = [&](const char* e) { return std::find(inputs.begin(), inputs.end(), e) != inputs.end(); };
+        const auto has = [&](const char* e) { return std::ranges::find(inputs, e) != inputs.end(); };
         if (state == 'i' || (state == '2' && has("seeWall?"))) {
             state = '1';
             return {"angularSpeed!-0.750", "linearSpeed!-10.88"};

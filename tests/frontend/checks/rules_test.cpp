@@ -56,7 +56,7 @@ std::vector<const diagnostics::Rule*> all_rules() {
 std::vector<fs::path> files_of(const fs::path& folder) {
     std::vector<fs::path> result;
     for (const auto& entry : fs::directory_iterator(folder)) result.push_back(entry.path());
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     return result;
 }
 
@@ -69,8 +69,8 @@ TEST_P(Fixture, IsJudgedAsItSays) {
         const auto reading = testing::resolved(text, path.extension() == ".assertions");
         const auto expected = expectations(text);
         EXPECT_EQ(findings(*reading, code.starts_with("RC-W")), expected) << path << "\n" << reading->report();
-        const bool names_it = std::any_of(expected.begin(), expected.end(),
-                                          [&](const std::string& e) { return e.substr(e.find(' ') + 1) == code; });
+        const bool names_it =
+            std::ranges::any_of(expected, [&](const std::string& e) { return e.substr(e.find(' ') + 1) == code; });
         EXPECT_EQ(names_it, path.filename().string().starts_with("bad")) << path;
     }
 }
@@ -83,7 +83,7 @@ std::vector<std::string> folders() {
 
 std::string as_identifier(const ::testing::TestParamInfo<std::string>& folder) {
     std::string name = folder.param;
-    std::replace(name.begin(), name.end(), '-', '_');
+    std::ranges::replace(name, '-', '_');
     return name;
 }
 

@@ -157,7 +157,7 @@ const std::vector<Example>& examples() {
             add_examples(found, shared / "suite");
             add_examples(found, shared / "bench");
         }
-        std::sort(found.begin(), found.end(), [](const Example& a, const Example& b) { return a.origin < b.origin; });
+        std::ranges::sort(found, [](const Example& a, const Example& b) { return a.origin < b.origin; });
         return found;
     }();
     return all;

@@ -43,7 +43,7 @@ std::multiset<std::string> said(const diagnostics::TextReading& reading, int lev
 }
 
 bool includes(const std::multiset<std::string>& all, const std::multiset<std::string>& some) {
-    return std::includes(all.begin(), all.end(), some.begin(), some.end());
+    return std::ranges::includes(all, some);
 }
 
 /// The texts after one fix.

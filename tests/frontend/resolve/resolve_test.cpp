@@ -380,8 +380,7 @@ TEST(Names, ManyUnknownNamesStayCheap) {
 }
 
 const Transition& transition_of(const Machine& machine, const std::string& name) {
-    const auto found = std::find_if(machine.transitions.begin(), machine.transitions.end(),
-                                    [&](const auto& t) { return t->name == name; });
+    const auto found = std::ranges::find_if(machine.transitions, [&](const auto& t) { return t->name == name; });
     return **found;
 }
 

@@ -58,10 +58,9 @@ struct Count {
 };
 
 bool has_next(const File& file) {
-    return file.is_assertions ? std::any_of(file.assertions.begin(), file.assertions.end(),
-                                            [](const Assertion& a) { return a.name == "Next"; })
-                              : std::any_of(file.declarations.begin(), file.declarations.end(),
-                                            [](const auto& d) { return d->name == "Next"; });
+    return file.is_assertions
+               ? std::ranges::any_of(file.assertions, [](const Assertion& a) { return a.name == "Next"; })
+               : std::ranges::any_of(file.declarations, [](const auto& d) { return d->name == "Next"; });
 }
 
 void judge(const std::string& text, bool is_assertions, Count& count) {

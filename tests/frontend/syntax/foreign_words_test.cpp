@@ -109,7 +109,7 @@ TEST(ForeignWords, RowsNameWordsOfTheGrammar) {
         EXPECT_EQ(foreign_word(row.word, row.place), &row) << row.word << " stands twice in one place";
         if (row.place == ForeignPlace::type || row.instead.empty()) continue;
         const auto symbols = symbol_words();
-        EXPECT_TRUE(is_reserved(row.instead) || std::find(symbols.begin(), symbols.end(), row.instead) != symbols.end())
+        EXPECT_TRUE(is_reserved(row.instead) || std::ranges::find(symbols, row.instead) != symbols.end())
             << row.instead;
     }
 }

@@ -40,7 +40,7 @@ std::string guard_shape(const std::string& text) {
 }
 
 TEST(Lexer, ReservedWordsAreSorted) {
-    EXPECT_TRUE(std::is_sorted(reserved_words().begin(), reserved_words().end()));
+    EXPECT_TRUE(std::ranges::is_sorted(reserved_words()));
     EXPECT_TRUE(is_reserved("sinceEntry"));
     EXPECT_FALSE(is_reserved("sinceentry"));
 }
@@ -411,8 +411,8 @@ TEST(SyntaxRules, HaveCodesMessagesAndExplanations) {
         codes.push_back(rule->code);
         EXPECT_FALSE(rule->message.empty() || rule->explanation.empty()) << rule->code;
     }
-    std::sort(codes.begin(), codes.end());
-    EXPECT_EQ(std::adjacent_find(codes.begin(), codes.end()), codes.end());
+    std::ranges::sort(codes);
+    EXPECT_EQ(std::ranges::adjacent_find(codes), codes.end());
 }
 
 }  // namespace

@@ -170,8 +170,8 @@ Texts divided(const std::string& text) {
 /// Files on disk are not part of the input, so it must not name any.
 bool may_name_files(std::string_view bytes) {
     constexpr std::array<std::string_view, 7> signs = {"file:", "root", "Folders\":[", "added", "\"/", "\\/", "\\u002"};
-    return std::any_of(signs.begin(), signs.end(),
-                       [&](std::string_view sign) { return bytes.find(sign) != std::string_view::npos; });
+    return std::ranges::any_of(signs,
+                               [&](std::string_view sign) { return bytes.find(sign) != std::string_view::npos; });
 }
 
 }  // namespace

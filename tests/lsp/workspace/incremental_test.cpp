@@ -99,7 +99,7 @@ private:
     }
     static Json place_of(const std::string& text, std::size_t offset) {
         const std::string before = text.substr(0, offset);
-        const auto line = std::count(before.begin(), before.end(), '\n');
+        const auto line = std::ranges::count(before, '\n');
         const std::size_t start = line == 0 ? 0 : before.rfind('\n') + 1;
         return Json::object({{"line", line}, {"character", offset - start}});
     }

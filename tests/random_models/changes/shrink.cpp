@@ -77,7 +77,7 @@ private:
         for (const auto& transition : container.transitions)
             if (transition->from.text() == node.name || transition->to.text() == node.name)
                 parts.push_back(transition->span);
-        std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.begin < b.begin; });
+        std::ranges::sort(parts, [](const auto& a, const auto& b) { return a.begin < b.begin; });
         std::string kept;
         for (std::size_t i = 1; i < parts.size(); ++i) {
             const std::string_view gap = text_.substr(parts[i - 1].end, parts[i].begin - parts[i - 1].end);
@@ -154,7 +154,7 @@ std::vector<Cut> cuts(const Project& project) {
     const auto read = parse(project);
     std::vector<Cut> result;
     for (std::size_t i = 0; i < project.size(); ++i) Cutter(i, project[i].text, result).file(*read->model.files[i]);
-    std::stable_sort(result.begin(), result.end(), [](const Cut& a, const Cut& b) { return size_of(a) > size_of(b); });
+    std::ranges::stable_sort(result, [](const Cut& a, const Cut& b) { return size_of(a) > size_of(b); });
     return result;
 }
 

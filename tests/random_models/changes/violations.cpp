@@ -179,17 +179,15 @@ public:
 
     /// Inserts before the closing brace of a component, or at the end of the file if there is none.
     void add(const Place& place, const std::string& text) {
-        const std::size_t file =
-            static_cast<std::size_t>(std::find_if(model_.files.begin(), model_.files.end(),
-                                                  [&](const auto& each) { return each.get() == place.file; }) -
-                                     model_.files.begin());
+        const std::size_t file = static_cast<std::size_t>(
+            std::ranges::find_if(model_.files, [&](const auto& each) { return each.get() == place.file; }) -
+            model_.files.begin());
         const bool inside = place.component != nullptr;
         insertions_.push_back({file, inside ? place.component->span.end - 1 : std::string::npos, "\n" + text + "\n"});
     }
 
     Project apply(Project project) {
-        std::stable_sort(insertions_.begin(), insertions_.end(),
-                         [](const Insertion& a, const Insertion& b) { return a.at > b.at; });
+        std::ranges::stable_sort(insertions_, [](const Insertion& a, const Insertion& b) { return a.at > b.at; });
         for (const Insertion& each : insertions_) {
             std::string& text = project[each.file].text;
             text.insert(std::min(each.at, text.size()), each.text);

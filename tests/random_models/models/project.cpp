@@ -20,8 +20,7 @@ bool Text::is_assertions() const {
 
 std::size_t lines(const Project& project) {
     std::size_t sum = 0;
-    for (const Text& file : project)
-        sum += static_cast<std::size_t>(std::count(file.text.begin(), file.text.end(), '\n'));
+    for (const Text& file : project) sum += static_cast<std::size_t>(std::ranges::count(file.text, '\n'));
     return sum;
 }
 

@@ -58,12 +58,10 @@ std::vector<SystemBuilder::Shared> SystemBuilder::call_some(Lines& out, const Ca
         if (!random_.chance(70)) continue;
         require(out, defined.offer, around);
         for (const Port& port : defined.ports)
-            if (std::none_of(around.ports.begin(), around.ports.end(),
-                             [&](const Port& known) { return known.name == port.name; }))
+            if (std::ranges::none_of(around.ports, [&](const Port& known) { return known.name == port.name; }))
                 around.ports.push_back(port);
         for (const Shared& need : defined.needs)
-            if (std::none_of(needs.begin(), needs.end(),
-                             [&](const Shared& known) { return known.interface == need.interface; }))
+            if (std::ranges::none_of(needs, [&](const Shared& known) { return known.interface == need.interface; }))
                 needs.push_back(need);
     }
     return needs;
@@ -100,8 +98,7 @@ std::string SystemBuilder::operation(const Signature& signature, const std::stri
     around.ports = operation_ports();
     std::vector<Shared> needs = shape_.nested_operations ? call_some(text, callable, around) : std::vector<Shared>{};
     const auto is_needed = [&](const Shared& source) {
-        return std::any_of(needs.begin(), needs.end(),
-                           [&](const Shared& need) { return need.interface == source.interface; });
+        return std::ranges::any_of(needs, [&](const Shared& need) { return need.interface == source.interface; });
     };
     const auto pass_on = [&](const Shared& need) {
         require(text, need, around);

@@ -21,7 +21,7 @@ struct Draft {
 };
 
 std::size_t line_count(const std::string& text) {
-    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    return static_cast<std::size_t>(std::ranges::count(text, '\n'));
 }
 
 bool is_part_of_name(char c) {
@@ -185,7 +185,7 @@ Project ProjectBuilder::finish() {
                            package + imports(drafts_[i].imports) + toolkits + diagram + drafts_[i].body});
     }
     if (!claims_.empty()) project.push_back({"properties.assertions", imports(claimed_) + claims_});
-    std::sort(project.begin(), project.end(), [](const Text& a, const Text& b) { return a.path < b.path; });
+    std::ranges::sort(project, [](const Text& a, const Text& b) { return a.path < b.path; });
     return project;
 }
 

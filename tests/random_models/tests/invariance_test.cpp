@@ -22,7 +22,7 @@ std::vector<std::string> messages(const Loaded& loaded) {
     std::vector<std::string> result;
     for (const auto& finding : loaded.findings.sorted())
         result.push_back(std::string(finding.rule->code) + " " + finding.message());
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     return result;
 }
 

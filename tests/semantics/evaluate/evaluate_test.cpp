@@ -110,7 +110,7 @@ std::int64_t greatest_below(std::int64_t dividend, std::int64_t divisor) {
 
 TEST_F(Evaluate, EveryProductAndQuotientOfTheCarrierIsRoundedDownThenClipped) {
     const auto clipped = [&](std::int64_t result, std::int64_t first) {
-        return std::count(inst_.real.begin(), inst_.real.end(), result) > 0 ? result : first;
+        return std::ranges::count(inst_.real, result) > 0 ? result : first;
     };
     for (const auto a : inst_.real)
         for (const auto b : inst_.real) {

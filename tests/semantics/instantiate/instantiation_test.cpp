@@ -327,7 +327,7 @@ TEST(Carrier, ComposedTypes) {
     EXPECT_EQ(carrier(system, with_strings, types.string).size(), 2U);
     for (std::uint32_t id = 5; id < system.types.size(); ++id) {
         const auto values = carrier(system, inst, TypeId{id});
-        EXPECT_TRUE(std::is_sorted(values.begin(), values.end())) << id;
+        EXPECT_TRUE(std::ranges::is_sorted(values)) << id;
         for (const auto& value : values) EXPECT_TRUE(in_carrier(system, inst, TypeId{id}, value)) << id;
         EXPECT_TRUE(in_carrier(system, inst, TypeId{id}, default_value(system, inst, TypeId{id}))) << id;
     }

@@ -361,7 +361,7 @@ TEST(LowerMachines, StatesNestedTooDeepAreReported) {
     for (int i = 0; i < depth; ++i) text += i == 0 ? "}\n" : "initial i\n transition t { from i to s }\n}\n";
     const auto lowered = lower_files({{"t.rct", text + "}\n"}});
     const auto codes = lowered->codes();
-    EXPECT_NE(std::find(codes.begin(), codes.end(), "RC-S04"), codes.end()) << lowered->messages();
+    EXPECT_NE(std::ranges::find(codes, "RC-S04"), codes.end()) << lowered->messages();
 }
 
 TEST(LowerExpressions, NamesLeftOpenAreReported) {

@@ -17,7 +17,7 @@ namespace {
 
 template <class T, class Match>
 const T& find(const std::vector<T>& items, const std::string& what, const Match& match) {
-    const auto it = std::find_if(items.begin(), items.end(), match);
+    const auto it = std::ranges::find_if(items, match);
     if (it == items.end()) throw std::out_of_range("no " + what);
     return *it;
 }

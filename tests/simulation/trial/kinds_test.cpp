@@ -232,9 +232,8 @@ scenario Watched for Runner {
 
 const Frame& frame_near(const RunResult& result, double time) {
     const auto& frames = result.trials.at(0).frames;
-    return *std::min_element(frames.begin(), frames.end(), [&](const Frame& a, const Frame& b) {
-        return std::abs(a.time - time) < std::abs(b.time - time);
-    });
+    return *std::ranges::min_element(
+        frames, [&](const Frame& a, const Frame& b) { return std::abs(a.time - time) < std::abs(b.time - time); });
 }
 
 TEST(WorldMachine, MovesLightsShowsObstaclesAndRaisesEvents) {
@@ -258,7 +257,7 @@ TEST(WorldMachine, ReadsConditionsAndMeasures) {
         "model.rct", {keeper});
     const RunResult result = experiment.run();
     const Frame& last = result.trials.at(0).frames.back();
-    EXPECT_EQ(std::count(last.working.begin(), last.working.end(), false), 1);
+    EXPECT_EQ(std::ranges::count(last.working, false), 1);
     // One of the two robots, chosen at random, stands: over many trials it is not always the same one.
     Experiment many(runner,
                     replaced(replaced(watched, "stimulus shout on act",

@@ -41,7 +41,7 @@ TEST(MeasuresProperty, ClusterIsTheClosure) {
                     if (length(places[i] - places[j]) <= 15) group[i] = group[j] = std::min(group[i], group[j]);
         std::size_t largest = 0;
         for (std::size_t i = 0; i < places.size(); ++i)
-            largest = std::max(largest, static_cast<std::size_t>(std::count(group.begin(), group.end(), i)));
+            largest = std::max(largest, static_cast<std::size_t>(std::ranges::count(group, i)));
         EXPECT_DOUBLE_EQ(largest_cluster(at(places), 15), static_cast<double>(largest) / 25);
     }
 }

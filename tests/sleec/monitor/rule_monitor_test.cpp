@@ -61,9 +61,9 @@ public:
     }
     bool broken(const States& states) {
         const States all = closed(states);
-        return std::any_of(all.begin(), all.end(), [&](lts::StateIndex state) {
+        return std::ranges::any_of(all, [&](lts::StateIndex state) {
             const auto edges = graph_.edges(state);
-            return std::any_of(edges.begin(), edges.end(), [&](const lts::Edge& each) {
+            return std::ranges::any_of(edges, [&](const lts::Edge& each) {
                 return session_->event_table().name(each.event) == "sleec_broken";
             });
         });

@@ -178,8 +178,8 @@ INSTANTIATE_TEST_SUITE_P(
                       "runtime/redundant.sleec", "runtime/rel_op.sleec", "runtime/scale.sleec", "small/faults.sleec"),
     [](const auto& file) {
         std::string name = fs::path(file.param).replace_extension().string();
-        std::replace(name.begin(), name.end(), '/', '_');
-        std::replace(name.begin(), name.end(), '-', '_');
+        std::ranges::replace(name, '/', '_');
+        std::ranges::replace(name, '-', '_');
         return name;
     });
 

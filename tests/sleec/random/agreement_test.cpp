@@ -52,8 +52,8 @@ using Sets = std::set<std::vector<std::size_t>>;
 /// The sets that contain no smaller set of `others`.
 Sets without_larger(Sets sets, const Sets& others) {
     std::erase_if(sets, [&](const auto& each) {
-        return std::any_of(others.begin(), others.end(), [&](const auto& other) {
-            return other.size() < each.size() && std::includes(each.begin(), each.end(), other.begin(), other.end());
+        return std::ranges::any_of(others, [&](const auto& other) {
+            return other.size() < each.size() && std::ranges::includes(each, other);
         });
     });
     return sets;
@@ -66,11 +66,9 @@ void compare_endless(const std::vector<testing::NaiveRule>& rules, const Analyse
         for (const std::size_t rule : each) subset.push_back(rules[rule]);
         const auto naive = testing::in_conflict(subset);
         const auto part = [&](const auto& other) {
-            return other.size() < each.size() && std::includes(each.begin(), each.end(), other.begin(), other.end());
+            return other.size() < each.size() && std::ranges::includes(each, other);
         };
-        if (!naive || std::any_of(found.endless.begin(), found.endless.end(), part) ||
-            std::any_of(found.forbidden.begin(), found.forbidden.end(), part))
-            continue;
+        if (!naive || std::ranges::any_of(found.endless, part) || std::ranges::any_of(found.forbidden, part)) continue;
         const bool said = found.endless.contains(each);
         const bool expected = *naive == testing::NaiveAnswer::endless;
         EXPECT_TRUE(said == expected) << text << text_of({each}) << (said ? "" : "not ") << "said to be endless";

@@ -91,8 +91,8 @@ bool is_dead(const Duty& due, const State& open) {
         if (part.negated || part.last < due.age) return false;
         const bool for_ever = part.last == endless;
         if (!for_ever && (part.last != due.age || part.first > due.age)) return false;
-        const bool forbidden = std::any_of(open.begin(), open.end(), [&](Duty other) {
-            const bool always = std::all_of(other.parts.begin(), other.parts.end(), [&](const Part& of) {
+        const bool forbidden = std::ranges::any_of(open, [&](Duty other) {
+            const bool always = std::ranges::all_of(other.parts, [&](const Part& of) {
                 const auto place = static_cast<std::size_t>(&of - other.parts.data());
                 return failed(other, place) || (of.negated && of.event == part.event && of.last == endless);
             });
@@ -254,7 +254,7 @@ std::optional<NaiveAnswer> in_conflict(const std::vector<NaiveRule>& rules) {
             passes[each] = true;
         }
     }
-    const bool all = std::find(passes.begin(), passes.end(), false) == passes.end();
+    const bool all = std::ranges::find(passes, false) == passes.end();
     return all ? NaiveAnswer::none : NaiveAnswer::endless;
 }
 
@@ -269,9 +269,8 @@ std::optional<std::set<std::vector<std::size_t>>> smallest_conflicts(const std::
                     subset.push_back(i);
                     of.push_back(rules[i]);
                 }
-            const bool known = std::any_of(result.begin(), result.end(), [&](const auto& smaller) {
-                return std::includes(subset.begin(), subset.end(), smaller.begin(), smaller.end());
-            });
+            const bool known = std::ranges::any_of(
+                result, [&](const auto& smaller) { return std::ranges::includes(subset, smaller); });
             if (subset.size() != size || known) continue;
             const std::optional<NaiveAnswer> found = in_conflict(of);
             if (!found) return std::nullopt;

@@ -25,7 +25,7 @@ std::vector<fs::path> published() {
     if (tests::shared_folder().empty() || !fs::exists(suite)) return result;
     for (const auto& entry : fs::recursive_directory_iterator(suite))
         if (entry.path().extension() == ".sleec") result.push_back(entry.path());
-    std::sort(result.begin(), result.end());
+    std::ranges::sort(result);
     return result;
 }
 

@@ -51,7 +51,7 @@ std::string replaced(const std::string& text, const std::vector<std::pair<std::s
                    (at == 0 || !in_a_name(text[at - 1]) || text[at - 1] == '(') &&
                    (end >= text.size() || !in_a_name(text[end]));
         };
-        const auto name = std::find_if(names.begin(), names.end(), fits);
+        const auto name = std::ranges::find_if(names, fits);
         result += name == names.end() ? text.substr(at, 1) : name->second;
         at += name == names.end() ? 1 : name->first.size();
     }
@@ -93,8 +93,7 @@ std::string definitions(std::vector<Equation> equations, const std::string& aske
                                                            {"chase_no_cache(STOP)", "chase_nocache(STOP)"}};
     for (std::size_t i = 0; i < equations.size(); ++i)
         names.emplace_back(equations[i].name, "Equation_" + std::to_string(i));
-    std::stable_sort(names.begin(), names.end(),
-                     [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
+    std::ranges::stable_sort(names, [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
     std::string text;
     for (std::size_t i = 0; i < equations.size(); ++i) {
         std::string body = equations[i].body;

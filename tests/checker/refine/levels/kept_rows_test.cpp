@@ -178,7 +178,7 @@ TEST_F(KeptRows, OnDiskAreThoseInMemory) {
             std::vector<lts::Word> rows, others;
             store.read(level, 0, 1'000'000, rows);
             memory.read(level, 0, 1'000'000, others);
-            std::sort(others.begin(), others.end());
+            std::ranges::sort(others);
             ASSERT_EQ(rows, others) << round << ", level " << level;
         }
         rolled_back += store.figures().rolled_back;
@@ -364,7 +364,7 @@ TEST_F(KeptRows, GoOnAfterAFullDisk) {
             ASSERT_GE(levels.begun, kept) << round;
             const std::vector<storage::Checkpoint> found = newest();
             ASSERT_FALSE(found.empty()) << "the first level needs less";
-            kept = std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
+            kept = std::ranges::min_element(found, [](const auto& a, const auto& b) {
                        return a.levels < b.levels;
                    })->levels;
             if (every > 0 && kept > 1) ++kept_more;

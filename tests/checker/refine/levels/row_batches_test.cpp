@@ -23,7 +23,7 @@ TEST(RowBatches, BringEveryRowWithWhetherATauLedToIt) {
                                 EXPECT_EQ(hash, lts::StateStore::hash(row));
                                 rows.push_back({row[0], row[1], by_tau ? 1U : 0U});
                             });
-            std::sort(rows.begin(), rows.end());
+            std::ranges::sort(rows);
             return rows;
         };
         for (lts::Word i = 0; i < count; ++i)

@@ -116,13 +116,12 @@ TEST_F(Recurrence, RandomProcessesAgreeWithAForwardSearch) {
             return found;
         };
         const auto offers = [&](std::size_t state) {
-            return std::any_of(steps[state].begin(), steps[state].end(),
-                               [](const auto& each) { return each.first == "a"; });
+            return std::ranges::any_of(steps[state], [](const auto& each) { return each.first == "a"; });
         };
         bool expected = true;
         for (const std::size_t state : reached(0)) {
             const auto behind = reached(state);
-            expected = expected && std::any_of(behind.begin(), behind.end(), offers);
+            expected = expected && std::ranges::any_of(behind, offers);
         }
         EXPECT_EQ(decided(terms[0], {"a"}).outcome, expected ? Outcome::holds : Outcome::fails) << round;
         held += expected ? 1 : 0;

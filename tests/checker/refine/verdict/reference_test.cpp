@@ -89,7 +89,7 @@ void check_derivations(Translation& translation, TermId state) {
         RC_ASSERT(derived.has_value());
         for (const auto& [operand, move] : derived->moves) {
             const auto own = semantics.successors(term.children[operand]);
-            RC_ASSERT(std::find(own.begin(), own.end(), move) != own.end());
+            RC_ASSERT(std::ranges::find(own, move) != own.end());
             if (derived->survivor == operand) RC_ASSERT(move.target == step.target);
         }
         if (derived->starts) RC_ASSERT(term.children[*derived->survivor] == step.target);
