@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "benchmarks/cpu_time.hpp"
-#include "diagrams/notation/subjects.hpp"
-#include "diagrams/svg/svg.hpp"
+#include "frontend/diagrams/notation/subjects.hpp"
+#include "frontend/diagrams/svg/svg.hpp"
 #include "frontend/project/project.hpp"
 
 namespace {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "lsp/server.hpp"
+#include "editors/server/server.hpp"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "benchmarks/cpu_time.hpp"
-#include "checker/markov/operators/bounded.hpp"
-#include "checker/markov/operators/unbounded.hpp"
+#include "prism/markov/operators/bounded.hpp"
+#include "prism/markov/operators/unbounded.hpp"
 
 namespace {
 

@@ -12,12 +12,12 @@
 #include <optional>
 #include <string>
 
-#include "checker/prism/checks/check.hpp"
-#include "checker/prism/experiment.hpp"
-#include "checker/prism/explore/state_space.hpp"
-#include "checker/prism/simulation.hpp"
-#include "checker/prism/syntax/reader.hpp"
-#include "diagnostics/budget.hpp"
+#include "prism/checks/check.hpp"
+#include "prism/session/experiment.hpp"
+#include "prism/explore/state_space.hpp"
+#include "prism/session/simulation.hpp"
+#include "prism/syntax/reader.hpp"
+#include "base/diagnostics/budget.hpp"
 
 namespace {
 

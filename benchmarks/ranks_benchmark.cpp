@@ -24,7 +24,7 @@
 #include "checker/refine/levels/memory_row_store.hpp"
 #include "checker/refine/levels/thread_exchange.hpp"
 #include "checker/refine/verdict/monitors.hpp"
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/render.hpp"
 
 namespace {
 

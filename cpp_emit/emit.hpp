@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cpp_emit/plan/options.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "cpp_emit/ros2/node_files.hpp"
 #include "cpp_emit/ros2/ros_names.hpp"
-#include "diagnostics/text.hpp"
+#include "base/diagnostics/text.hpp"
 
 namespace robochart::cpp_emit {
 

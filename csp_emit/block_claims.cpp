@@ -14,7 +14,7 @@
 #include "checker/cspm/syntax/lookup.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/base/rules.hpp"
-#include "diagnostics/text.hpp"
+#include "base/diagnostics/text.hpp"
 
 namespace robochart::csp_emit {
 namespace {

@@ -26,7 +26,7 @@
 #include "csp_emit/passes/shared_modules.hpp"
 #include "csp_emit/robotool_names.hpp"
 #include "csp_emit/unread_definitions.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::csp_emit {

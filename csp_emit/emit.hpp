@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "csp_emit/base/emission.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 

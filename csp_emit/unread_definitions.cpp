@@ -8,7 +8,7 @@
 
 #include "csp_emit/base/rules.hpp"
 #include "csp_emit/robotool_names.hpp"
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 
 namespace robochart::csp_emit {
 namespace {

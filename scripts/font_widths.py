@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Prints diagrams/layout/font_tables.cpp: the advance widths of DejaVu Sans and DejaVu Sans Bold, from their tables `cmap`
+"""Prints frontend/diagrams/layout/font_tables.cpp: the advance widths of DejaVu Sans and DejaVu Sans Bold, from their tables `cmap`
 and `hmtx` (OpenType). Debian: fonts-dejavu-core."""
 import struct
 import sys
@@ -61,7 +61,7 @@ def rows(values):
 def main():
     print("// Advance widths of DejaVu Sans 2.37 in units of an em, as its tables `hmtx` and `cmap` state them; printed by")
     print("// scripts/font_widths.py.")
-    print('#include "diagrams/layout/font_tables.hpp"\n\nnamespace robochart::diagrams::layout {\nnamespace {\n')
+    print('#include "frontend/diagrams/layout/font_tables.hpp"\n\nnamespace robochart::diagrams::layout {\nnamespace {\n')
     print("// clang-format off")
     tables = {}
     for name, file in (("regular", "DejaVuSans.ttf"), ("bold", "DejaVuSans-Bold.ttf")):

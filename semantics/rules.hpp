@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::ir::rules {
 

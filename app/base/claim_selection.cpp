@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 
 namespace robochart::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::app {
 namespace {

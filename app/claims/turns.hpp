@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/command/options.hpp"
-#include "diagnostics/budget.hpp"
+#include "base/diagnostics/budget.hpp"
 
 namespace robochart::app {
 

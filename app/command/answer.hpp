@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/command/options.hpp"
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/render.hpp"
 
 namespace robochart::app {
 

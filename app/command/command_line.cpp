@@ -12,7 +12,7 @@
 
 #include "app/command/help.hpp"
 #include "app/command/option_table.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::app {
 namespace {

@@ -16,7 +16,7 @@
 #include <sstream>
 
 #include "app/command/rules.hpp"
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 
 namespace robochart::app {
 

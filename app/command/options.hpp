@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "checker/prism/sampling/method.hpp"
+#include "prism/sampling/method.hpp"
 #include "checker/refine/verdict/check.hpp"
 #include "semantics/ir/instantiation.hpp"
 

@@ -13,8 +13,8 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "diagnostics/escape.hpp"
-#include "diagnostics/utf8.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/utf8.hpp"
 
 namespace robochart::app {
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "app/command/options.hpp"
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/render.hpp"
 
 namespace robochart::app {
 
@@ -27,7 +27,7 @@ private:
 };
 
 /// Text for people to standard output. Control and invisible characters, which names of files and texts of models may
-/// contain, are shown as escapes (diagnostics/escape.hpp), so that none reaches a terminal. These functions throw
+/// contain, are shown as escapes (base/diagnostics/escape.hpp), so that none reaches a terminal. These functions throw
 /// OutputError.
 void print_text(std::string_view text);
 /// The same for text that a program may read (JSON, scripts, formatted files, patches): unchanged, unless it goes to a

@@ -10,7 +10,7 @@
 
 #include "app/command/options.hpp"
 #include "csp_emit/emit.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "frontend/syntax/ast.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"

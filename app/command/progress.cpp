@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "app/command/output.hpp"
-#include "diagnostics/escape.hpp"
-#include "diagnostics/json.hpp"
-#include "diagnostics/utf8.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/json.hpp"
+#include "base/diagnostics/utf8.hpp"
 
 namespace robochart::app {
 namespace {

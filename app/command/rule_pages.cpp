@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "diagnostics/paint.hpp"
+#include "base/diagnostics/paint.hpp"
 
 namespace robochart::app {
 namespace {

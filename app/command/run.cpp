@@ -20,8 +20,8 @@
 #include "checker/cspm/eval/evaluation_error.hpp"
 #include "checker/refine/verdict/kept_search.hpp"
 #include "checker/storage/storage_error.hpp"
-#include "diagnostics/ending.hpp"
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/ending.hpp"
+#include "base/diagnostics/files.hpp"
 
 namespace robochart::app {
 namespace {

@@ -19,8 +19,8 @@
 #include <thread>
 
 #include "app/command/options.hpp"
-#include "diagnostics/budget.hpp"
-#include "diagnostics/cache/cache.hpp"
+#include "base/diagnostics/budget.hpp"
+#include "base/cache/cache.hpp"
 
 namespace robochart::refine {
 class LevelStrategy;

@@ -8,7 +8,7 @@
 #include "app/command/options.hpp"
 #include "checker/cspm/syntax/syntax.hpp"
 #include "checker/cspm/types/type_check.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::app {
 

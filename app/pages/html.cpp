@@ -16,9 +16,9 @@
 #include "app/pages/part_diagrams.hpp"
 #include "app/pages/value_plot.hpp"
 #include "app/report/probability_report.hpp"
-#include "diagnostics/escape.hpp"
-#include "diagnostics/json.hpp"
-#include "runs/text.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/json.hpp"
+#include "counterexample/text.hpp"
 
 namespace robochart::app {
 namespace {

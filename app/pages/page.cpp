@@ -8,8 +8,8 @@
 #include <set>
 #include <vector>
 
-#include "diagnostics/cache/digest.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/cache/digest.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::app {
 namespace {

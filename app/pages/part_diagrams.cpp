@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "diagnostics/escape.hpp"
-#include "diagrams/exports/outline.hpp"
-#include "diagrams/layout/arrange.hpp"
-#include "diagrams/svg/svg.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "frontend/diagrams/exports/outline.hpp"
+#include "frontend/diagrams/layout/arrange.hpp"
+#include "frontend/diagrams/svg/svg.hpp"
 
 namespace robochart::app {
 namespace {

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "app/command/pipeline.hpp"
-#include "diagnostics/budget.hpp"
-#include "diagrams/notation/subjects.hpp"
-#include "diagrams/stored/stored_diagrams.hpp"
-#include "runs/run.hpp"
+#include "base/diagnostics/budget.hpp"
+#include "frontend/diagrams/notation/subjects.hpp"
+#include "frontend/diagrams/stored/stored_diagrams.hpp"
+#include "counterexample/run.hpp"
 
 namespace robochart::app {
 

@@ -6,7 +6,7 @@
 
 #include "app/command/options.hpp"
 #include "app/pages/page.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::app {
 namespace {

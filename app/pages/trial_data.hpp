@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/json.hpp"
+#include "base/diagnostics/json.hpp"
 #include "simulation/report/pictures.hpp"
 #include "simulation/report/run.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "app/report/prism_report.hpp"
 #include "app/report/probability_report.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::app {
 namespace {

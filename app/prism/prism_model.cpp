@@ -7,13 +7,13 @@
 #include <algorithm>
 
 #include "app/command/pipeline.hpp"
-#include "checker/prism/checks/check.hpp"
-#include "checker/prism/experiment.hpp"
-#include "checker/prism/syntax/reader.hpp"
-#include "checker/prism/syntax/rules.hpp"
-#include "diagnostics/escape.hpp"
-#include "prism_emit/emit.hpp"
-#include "prism_emit/ranges.hpp"
+#include "prism/checks/check.hpp"
+#include "prism/session/experiment.hpp"
+#include "prism/syntax/reader.hpp"
+#include "prism/syntax/rules.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "prism/emit/emit.hpp"
+#include "prism/emit/ranges.hpp"
 
 namespace robochart::app {
 namespace {

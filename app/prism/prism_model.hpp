@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "app/command/options.hpp"
-#include "checker/prism/checks/checked.hpp"
-#include "checker/prism/explore/evaluation.hpp"
-#include "diagnostics/diagnostic.hpp"
-#include "diagnostics/source.hpp"
+#include "prism/checks/checked.hpp"
+#include "prism/explore/evaluation.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+#include "base/diagnostics/source.hpp"
 
 namespace robochart::app {
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "diagnostics/source.hpp"
-#include "runs/run.hpp"
+#include "base/diagnostics/source.hpp"
+#include "counterexample/run.hpp"
 
 namespace robochart::app {
 

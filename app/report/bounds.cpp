@@ -14,7 +14,7 @@
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/expressions/clipping.hpp"
-#include "diagnostics/text.hpp"
+#include "base/diagnostics/text.hpp"
 #include "semantics/ir/element_at.hpp"
 
 namespace robochart::app {

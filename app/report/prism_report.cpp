@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "diagnostics/escape.hpp"
-#include "diagnostics/json.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/json.hpp"
 
 namespace robochart::app {
 namespace {

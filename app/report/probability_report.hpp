@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/report/report.hpp"
-#include "diagnostics/json.hpp"
+#include "base/diagnostics/json.hpp"
 
 namespace robochart::app {
 

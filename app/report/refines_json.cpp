@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "app/report/script_report.hpp"
-#include "diagnostics/json.hpp"
+#include "base/diagnostics/json.hpp"
 
 namespace robochart::app {
 namespace {

@@ -13,9 +13,9 @@
 #include "app/command/output.hpp"
 #include "app/report/probability_report.hpp"
 #include "conformance/model/rules.hpp"
-#include "diagnostics/escape.hpp"
-#include "diagnostics/paint.hpp"
-#include "runs/text.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/paint.hpp"
+#include "counterexample/text.hpp"
 
 namespace robochart::app {
 namespace {

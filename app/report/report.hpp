@@ -11,8 +11,8 @@
 #include "app/report/basis.hpp"
 #include "checker/refine/verdict/check.hpp"
 #include "conformance/check/conform.hpp"
-#include "probability/experiments/experiment.hpp"
-#include "runs/run.hpp"
+#include "prism/assertions/experiments/experiment.hpp"
+#include "counterexample/run.hpp"
 
 namespace robochart::app {
 

@@ -6,9 +6,9 @@
 #include "app/report/report.hpp"
 #include "app/report/script_report.hpp"
 #include "conformance/model/rules.hpp"
-#include "diagnostics/json.hpp"
-#include "runs/json.hpp"
-#include "runs/text.hpp"
+#include "base/diagnostics/json.hpp"
+#include "counterexample/json.hpp"
+#include "counterexample/text.hpp"
 
 namespace robochart::app {
 

@@ -11,7 +11,7 @@
 #include <set>
 
 #include "app/report/report.hpp"
-#include "diagnostics/sarif.hpp"
+#include "base/diagnostics/sarif.hpp"
 
 namespace robochart::app {
 namespace {

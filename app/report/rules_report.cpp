@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "diagnostics/json.hpp"
+#include "base/diagnostics/json.hpp"
 
 namespace robochart::app {
 namespace {

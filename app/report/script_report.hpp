@@ -11,7 +11,7 @@
 #include "app/command/options.hpp"
 #include "app/report/report.hpp"
 #include "checker/cspm/session.hpp"
-#include "diagnostics/json.hpp"
+#include "base/diagnostics/json.hpp"
 
 namespace robochart::app {
 

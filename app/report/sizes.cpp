@@ -8,7 +8,7 @@
 #include "app/command/run.hpp"
 #include "app/report/state_space.hpp"
 #include "checker/process/operational_semantics.hpp"
-#include "runs/evaluation_failure.hpp"
+#include "counterexample/evaluation_failure.hpp"
 
 namespace robochart::app {
 namespace {

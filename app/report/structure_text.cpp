@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "runs/structure.hpp"
+#include "counterexample/structure.hpp"
 
 namespace robochart::app {
 namespace {

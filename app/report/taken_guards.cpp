@@ -5,7 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "csp_emit/claimed_components.hpp"
-#include "diagnostics/text.hpp"
+#include "base/diagnostics/text.hpp"
 #include "semantics/ir/element_at.hpp"
 #include "semantics/ir/untimed_guards.hpp"
 

@@ -12,8 +12,8 @@
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/refine/verdict/counterexample.hpp"
 #include "csp_emit/assertion_forms.hpp"
-#include "runs/evaluation_failure.hpp"
-#include "runs/interpreter.hpp"
+#include "counterexample/evaluation_failure.hpp"
+#include "counterexample/interpreter.hpp"
 #include "sleec/analysis/explain.hpp"
 #include "sleec/obligations/open.hpp"
 

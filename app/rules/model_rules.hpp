@@ -9,7 +9,7 @@
 #include "app/command/pipeline.hpp"
 #include "app/report/rules_report.hpp"
 #include "checker/cspm/session.hpp"
-#include "runs/run.hpp"
+#include "counterexample/run.hpp"
 #include "sleec/conformance/endless.hpp"
 #include "sleec/conformance/watch.hpp"
 #include "sleec/model/linking.hpp"

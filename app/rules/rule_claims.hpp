@@ -12,7 +12,7 @@
 #include "app/report/report.hpp"
 #include "app/report/rules_report.hpp"
 #include "app/rules/model_rules.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "sleec/checks/checked.hpp"
 
 namespace robochart::app {

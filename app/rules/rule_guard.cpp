@@ -11,7 +11,7 @@
 
 #include "app/command/run.hpp"
 #include "cpp_emit/files/trace_names.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::app {
 namespace {

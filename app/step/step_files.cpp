@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "conformance/traces/trace_text.hpp"
-#include "diagnostics/escape.hpp"
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/files.hpp"
 
 namespace robochart::app {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "app/command/pipeline.hpp"
 #include "app/command/run.hpp"
-#include "runs/stepper.hpp"
+#include "counterexample/stepper.hpp"
 
 namespace robochart::app {
 

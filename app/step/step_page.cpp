@@ -15,11 +15,11 @@
 #include "app/command/options.hpp"
 #include "app/pages/page.hpp"
 #include "app/pages/part_diagrams.hpp"
-#include "diagnostics/budget.hpp"
-#include "diagnostics/escape.hpp"
-#include "diagnostics/json.hpp"
-#include "diagnostics/text.hpp"
-#include "runs/text.hpp"
+#include "base/diagnostics/budget.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/json.hpp"
+#include "base/diagnostics/text.hpp"
+#include "counterexample/text.hpp"
 
 namespace robochart::app {
 namespace {

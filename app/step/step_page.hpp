@@ -7,7 +7,7 @@
 
 #include "app/command/pipeline.hpp"
 #include "app/step/step_files.hpp"
-#include "runs/exploration.hpp"
+#include "counterexample/exploration.hpp"
 
 namespace robochart::app {
 

@@ -6,7 +6,7 @@
 
 #include "app/command/pipeline.hpp"
 #include "checker/cspm/session.hpp"
-#include "runs/stepper.hpp"
+#include "counterexample/stepper.hpp"
 
 namespace robochart::app {
 

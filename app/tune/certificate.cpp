@@ -11,8 +11,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "diagnostics/cache/digest.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/cache/digest.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::app {
 

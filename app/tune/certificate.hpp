@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagnostics/json.hpp"
+#include "base/diagnostics/json.hpp"
 
 namespace robochart::app {
 

@@ -14,7 +14,7 @@
 #include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/emit.hpp"
 #include "csp_emit/expressions/expressions.hpp"
-#include "runs/values.hpp"
+#include "counterexample/values.hpp"
 #include "semantics/ir/own_constants.hpp"
 #include "semantics/ir/query.hpp"
 

@@ -24,12 +24,12 @@
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/refine/verdict/recurrence.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 #include "frontend/syntax/print.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
-#include "runs/evaluation_failure.hpp"
-#include "runs/exercised.hpp"
-#include "runs/interpreter.hpp"
+#include "counterexample/evaluation_failure.hpp"
+#include "counterexample/exercised.hpp"
+#include "counterexample/interpreter.hpp"
 
 namespace robochart::app {
 namespace {

@@ -10,10 +10,10 @@
 #include "app/claims/turns.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 #include "frontend/syntax/print.hpp"
-#include "probability/process/process_encoding.hpp"
-#include "probability/robotool/robotool_encoding.hpp"
+#include "prism/assertions/process/process_encoding.hpp"
+#include "prism/assertions/robotool/robotool_encoding.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::app {

@@ -24,10 +24,10 @@
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/syntax/rules.hpp"
 #include "checker/cspm/types/type_check.hpp"
-#include "diagnostics/escape.hpp"
-#include "diagnostics/files.hpp"
-#include "diagnostics/json.hpp"
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/files.hpp"
+#include "base/diagnostics/json.hpp"
+#include "base/diagnostics/render.hpp"
 
 namespace robochart::app {
 namespace {

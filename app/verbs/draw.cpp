@@ -17,11 +17,11 @@
 #include "app/pages/part_diagrams.hpp"
 #include "app/verbs/verbs.hpp"
 #include "cpp_emit/load/shared_library.hpp"
-#include "diagnostics/files.hpp"
-#include "diagrams/exports/dot.hpp"
-#include "diagrams/exports/mermaid.hpp"
-#include "diagrams/layout/arrange.hpp"
-#include "diagrams/svg/svg.hpp"
+#include "base/diagnostics/files.hpp"
+#include "frontend/diagrams/exports/dot.hpp"
+#include "frontend/diagrams/exports/mermaid.hpp"
+#include "frontend/diagrams/layout/arrange.hpp"
+#include "frontend/diagrams/svg/svg.hpp"
 
 namespace robochart::app {
 namespace {

@@ -13,9 +13,9 @@
 #include "app/verbs/verbs.hpp"
 #include "app/verbs/write_files.hpp"
 #include "conformance/testgen/test_suite.hpp"
-#include "diagnostics/escape.hpp"
-#include "diagnostics/files.hpp"
-#include "runs/evaluation_failure.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/files.hpp"
+#include "counterexample/evaluation_failure.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::app {

@@ -15,9 +15,9 @@
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/syntax/lexer.hpp"
-#include "diagnostics/diagnostic.hpp"
-#include "diagnostics/files.hpp"
-#include "diagnostics/text.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+#include "base/diagnostics/files.hpp"
+#include "base/diagnostics/text.hpp"
 #include "frontend/syntax/lexer.hpp"
 
 namespace robochart::app {

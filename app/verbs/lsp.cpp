@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "app/verbs/verbs.hpp"
-#include "lsp/server.hpp"
+#include "editors/server/server.hpp"
 
 namespace robochart::app {
 

@@ -17,9 +17,9 @@
 #include "app/rules/rule_run.hpp"
 #include "app/verbs/verbs.hpp"
 #include "conformance/traces/trace_text.hpp"
-#include "diagnostics/escape.hpp"
-#include "diagnostics/files.hpp"
-#include "diagnostics/json.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/files.hpp"
+#include "base/diagnostics/json.hpp"
 #include "sleec/obligations/samples.hpp"
 #include "sleec/syntax/rules.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "app/command/pipeline.hpp"
 #include "app/tune/certificate.hpp"
-#include "diagnostics/cache/digest.hpp"
+#include "base/cache/digest.hpp"
 #include "simulation/report/run.hpp"
 #include "simulation/scenario/plan.hpp"
 #include "simulation/trial/controller.hpp"

@@ -14,7 +14,7 @@
 #include "app/command/rules.hpp"
 #include "app/verbs/simulate.hpp"
 #include "cpp_emit/load/shared_library.hpp"
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/files.hpp"
 #include "simulation/report/pictures.hpp"
 #include "simulation/report/plot.hpp"
 #include "simulation/report/raster.hpp"

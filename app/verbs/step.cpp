@@ -25,11 +25,11 @@
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/process/operational_semantics.hpp"
-#include "diagnostics/files.hpp"
-#include "diagnostics/splitmix64.hpp"
-#include "runs/evaluation_failure.hpp"
-#include "runs/stepper.hpp"
-#include "runs/text.hpp"
+#include "base/diagnostics/files.hpp"
+#include "base/diagnostics/splitmix64.hpp"
+#include "counterexample/evaluation_failure.hpp"
+#include "counterexample/stepper.hpp"
+#include "counterexample/text.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::app {

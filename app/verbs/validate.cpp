@@ -12,10 +12,10 @@
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/syntax/rules.hpp"
 #include "csp_emit/blocks/check_blocks.hpp"
-#include "diagnostics/escape.hpp"
-#include "diagnostics/fixes.hpp"
-#include "diagnostics/render.hpp"
-#include "diagnostics/repair/repair.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/fixes.hpp"
+#include "base/diagnostics/render.hpp"
+#include "base/repair/repair.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 
@@ -35,7 +35,7 @@ std::vector<Part> read_with_blocks(const Options& options) {
     return parts;
 }
 
-/// Repairs the texts of a part (diagnostics/repair/repair.hpp) and writes the changed ones; each file is written
+/// Repairs the texts of a part (base/repair/repair.hpp) and writes the changed ones; each file is written
 /// completely or not at all. Returns why one could not be written; "" if all were.
 std::string repair(const Part& part, const Options& options, diagnostics::Repaired& sum) {
     const Project& project = *part.project;

@@ -10,7 +10,7 @@
 #include "app/command/options.hpp"
 #include "app/command/pipeline.hpp"
 #include "app/report/report.hpp"
-#include "prism_emit/emission.hpp"
+#include "prism/emit/emission.hpp"
 
 namespace robochart::app {
 

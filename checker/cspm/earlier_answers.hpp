@@ -11,7 +11,7 @@
 #include "checker/cspm/syntax/syntax.hpp"
 #include "checker/lts/transition_system.hpp"
 #include "checker/refine/verdict/check.hpp"
-#include "diagnostics/cache/cache.hpp"
+#include "base/cache/cache.hpp"
 
 namespace robochart::cspm {
 

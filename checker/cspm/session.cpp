@@ -23,8 +23,8 @@
 #include "checker/process/term_system.hpp"
 #include "checker/refine/search/budget.hpp"
 #include "checker/refine/verdict/level_strategy.hpp"
-#include "diagnostics/ending.hpp"
-#include "diagnostics/utf8.hpp"
+#include "base/diagnostics/ending.hpp"
+#include "base/diagnostics/utf8.hpp"
 
 namespace robochart::cspm {
 

@@ -14,8 +14,8 @@
 #include "checker/process/behaviour.hpp"
 #include "checker/process/term.hpp"
 #include "checker/refine/verdict/check.hpp"
-#include "diagnostics/cache/cache.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/cache/cache.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::cspm {
 

@@ -7,7 +7,7 @@
 #include <unordered_set>
 
 #include "checker/lts/graph.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::lts {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "diagnostics/splitmix64.hpp"
+#include "base/diagnostics/splitmix64.hpp"
 
 namespace robochart::machine {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "checker/lts/graph.hpp"
 #include "checker/machine/supercombinator.hpp"
-#include "diagnostics/cache/digest.hpp"
+#include "base/cache/digest.hpp"
 
 namespace robochart::machine {
 

@@ -6,7 +6,7 @@
 
 #include "checker/machine/exchange.hpp"
 #include "checker/machine/supercombinator_system.hpp"
-#include "diagnostics/splitmix64.hpp"
+#include "base/diagnostics/splitmix64.hpp"
 
 namespace robochart::machine {
 namespace {

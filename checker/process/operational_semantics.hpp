@@ -15,7 +15,7 @@
 
 #include "checker/process/compressor.hpp"
 #include "checker/process/term.hpp"
-#include "diagnostics/budget.hpp"
+#include "base/diagnostics/budget.hpp"
 
 namespace robochart::process {
 

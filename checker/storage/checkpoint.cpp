@@ -13,8 +13,8 @@
 #include <map>
 #include <set>
 
-#include "diagnostics/escape.hpp"
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/files.hpp"
 
 namespace robochart::storage {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "diagnostics/descriptor.hpp"
+#include "base/diagnostics/descriptor.hpp"
 
 namespace robochart::storage {
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::storage {
 namespace {

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <functional>
 
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::storage {
 namespace {

@@ -21,8 +21,8 @@
 
 #include "checker/storage/row_codec.hpp"
 #include "checker/storage/storage_error.hpp"
-#include "diagnostics/cache/digest.hpp"
-#include "diagnostics/descriptor.hpp"
+#include "base/cache/digest.hpp"
+#include "base/diagnostics/descriptor.hpp"
 
 namespace robochart::storage {
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::storage {
 namespace {

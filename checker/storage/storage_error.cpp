@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::storage {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "diagnostics/budget.hpp"
+#include "base/diagnostics/budget.hpp"
 
 namespace robochart::storage {
 

@@ -24,7 +24,7 @@
 #include "cpp_emit/plan/exploration_ports.hpp"
 #include "cpp_emit/plan/resolve_component.hpp"
 #include "csp_emit/emit.hpp"
-#include "runs/evaluation_failure.hpp"
+#include "counterexample/evaluation_failure.hpp"
 
 namespace robochart::conformance {
 

@@ -7,7 +7,7 @@
 #include "conformance/model/renamed_model.hpp"
 #include "cpp_emit/runtime/explore_abi.h"
 #include "csp_emit/base/emission.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 

@@ -12,7 +12,7 @@
 #include "checker/refine/search/budget.hpp"
 #include "checker/refine/search/steps.hpp"
 #include "checker/refine/verdict/reference.hpp"
-#include "runs/interpreter.hpp"
+#include "counterexample/interpreter.hpp"
 
 namespace robochart::conformance {
 

@@ -11,8 +11,8 @@
 #include "checker/refine/verdict/verdict.hpp"
 #include "conformance/model/normal_form_system.hpp"
 #include "csp_emit/emit.hpp"
-#include "diagnostics/source.hpp"
-#include "runs/run.hpp"
+#include "base/diagnostics/source.hpp"
+#include "counterexample/run.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 

@@ -9,9 +9,9 @@
 
 #include "checker/refine/verdict/verdict.hpp"
 #include "cpp_emit/plan/options.hpp"
-#include "diagnostics/cache/cache.hpp"
-#include "diagnostics/diagnostic.hpp"
-#include "runs/run.hpp"
+#include "base/cache/cache.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+#include "counterexample/run.hpp"
 
 namespace robochart::conformance {
 

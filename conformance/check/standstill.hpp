@@ -8,7 +8,7 @@
 #include "conformance/check/result.hpp"
 #include "conformance/model/normal_form_system.hpp"
 #include "csp_emit/emit.hpp"
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/source.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 

@@ -9,7 +9,7 @@
 #include "conformance/code/interface.hpp"
 #include "conformance/model/data_independence.hpp"
 #include "csp_emit/emit.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 

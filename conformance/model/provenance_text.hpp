@@ -7,7 +7,7 @@
 
 #include "conformance/code/interface.hpp"
 #include "csp_emit/emit.hpp"
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/source.hpp"
 
 namespace robochart::conformance {
 

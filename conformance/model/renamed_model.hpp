@@ -3,7 +3,7 @@
 // name with a number appended (csp_emit/passes/safe_names.hpp).
 #pragma once
 
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 

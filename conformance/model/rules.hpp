@@ -6,7 +6,7 @@
 
 #include <span>
 
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::conformance::rules {
 

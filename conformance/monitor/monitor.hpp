@@ -11,7 +11,7 @@
 #include "conformance/model/cyclic_model.hpp"
 #include "cpp_emit/emit.hpp"
 #include "cpp_emit/runtime/monitor.hpp"
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/source.hpp"
 
 namespace robochart::conformance {
 

@@ -10,7 +10,7 @@
 
 #include "conformance/model/rules.hpp"
 #include "cpp_emit/files/trace_names.hpp"
-#include "diagnostics/utf8.hpp"
+#include "base/diagnostics/utf8.hpp"
 
 namespace robochart::conformance {
 

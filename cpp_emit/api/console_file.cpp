@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "cpp_emit/api/console_class.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::cpp_emit {
 

@@ -7,11 +7,11 @@
 #include <string_view>
 
 #include "cpp_emit/expressions/cpp_expr.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::cpp_emit {
 
-/// Lines are C++: the project's own text, identifiers (names.hpp) and literals (diagnostics/escape.hpp). None of these
+/// Lines are C++: the project's own text, identifiers (names.hpp) and literals (base/diagnostics/escape.hpp). None of these
 /// contains a control character or a character beyond ASCII; a line with one is an internal error. Comments accept any
 /// text.
 class CodeWriter {

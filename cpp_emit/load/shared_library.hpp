@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cpp_emit/plan/options.hpp"
-#include "diagnostics/cache/cache.hpp"
-#include "diagnostics/files.hpp"
+#include "base/cache/cache.hpp"
+#include "base/diagnostics/files.hpp"
 
 namespace robochart::cpp_emit {
 

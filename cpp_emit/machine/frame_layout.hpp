@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 #include "semantics/ir/ir.hpp"
 
 namespace robochart::cpp_emit {

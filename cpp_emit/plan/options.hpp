@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cpp_emit/plan/fault.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::cpp_emit {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "cpp_emit/plan/component.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "diagnostics/diagnostic.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+#include "base/diagnostics/escape.hpp"
 #include "frontend/syntax/word_reader.hpp"
 
 namespace robochart::cpp_emit::ros2 {

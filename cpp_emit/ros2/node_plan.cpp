@@ -13,7 +13,7 @@
 #include "cpp_emit/ros2/model_values.hpp"
 #include "cpp_emit/ros2/ros_names.hpp"
 #include "cpp_emit/ros2/rules.hpp"
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 
 namespace robochart::cpp_emit::ros2 {
 

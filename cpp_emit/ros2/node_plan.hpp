@@ -10,7 +10,7 @@
 
 #include "cpp_emit/api/class_api.hpp"
 #include "cpp_emit/ros2/mapping.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::cpp_emit::ros2 {
 

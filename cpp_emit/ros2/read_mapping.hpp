@@ -3,8 +3,8 @@
 #pragma once
 
 #include "cpp_emit/ros2/mapping.hpp"
-#include "diagnostics/diagnostic.hpp"
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+#include "base/diagnostics/source.hpp"
 
 namespace robochart::cpp_emit::ros2 {
 

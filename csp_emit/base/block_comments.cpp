@@ -6,7 +6,7 @@
 #include <string>
 
 #include "checker/cspm/syntax/lexer.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::csp_emit {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "checker/cspm/syntax/syntax.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "semantics/ir/ir.hpp"
 
 namespace robochart::csp_emit {

@@ -7,7 +7,7 @@
 
 #include "csp_emit/base/names.hpp"
 #include "csp_emit/base/rules.hpp"
-#include "diagnostics/text.hpp"
+#include "base/diagnostics/text.hpp"
 
 namespace robochart::csp_emit {
 

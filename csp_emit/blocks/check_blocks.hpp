@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "csp_emit/base/emission.hpp"
-#include "diagnostics/diagnostic.hpp"
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+#include "base/diagnostics/source.hpp"
 #include "frontend/syntax/ast.hpp"
 
 namespace robochart::csp_emit {

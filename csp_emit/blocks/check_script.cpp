@@ -10,7 +10,7 @@
 #include "checker/cspm/types/rules.hpp"
 #include "checker/cspm/types/type_check.hpp"
 #include "csp_emit/blocks/script_names.hpp"
-#include "diagnostics/fixes.hpp"
+#include "base/diagnostics/fixes.hpp"
 
 namespace robochart::csp_emit {
 

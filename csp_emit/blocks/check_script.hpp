@@ -3,7 +3,7 @@
 #pragma once
 
 #include "csp_emit/base/emission.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::csp_emit {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 
 namespace robochart::csp_emit {
 

@@ -13,8 +13,8 @@
 #include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/swarm/conditions.hpp"
 #include "csp_emit/swarm/rules.hpp"
-#include "diagnostics/escape.hpp"
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::csp_emit {

@@ -15,7 +15,7 @@
 
 #include "csp_emit/base/emission.hpp"
 #include "csp_emit/swarm/swarm.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 

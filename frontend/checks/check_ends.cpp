@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "frontend/checks/checks.hpp"
 #include "frontend/names/scopes.hpp"
 #include "frontend/rules/rules.hpp"

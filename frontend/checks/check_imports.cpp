@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "frontend/checks/checks.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/toolkits/toolkits.hpp"

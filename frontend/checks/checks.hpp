@@ -2,7 +2,7 @@
 // The well-formedness rules of a resolved model, grouped by area (private to the front end).
 #pragma once
 
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "frontend/names/names.hpp"
 
 namespace robochart::frontend {

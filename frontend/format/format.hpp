@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "diagnostics/diagnostic.hpp"
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+#include "base/diagnostics/source.hpp"
 
 namespace robochart::frontend {
 

@@ -2,7 +2,7 @@
 // Runs the lints.
 #include <algorithm>
 
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "frontend/lint/lints.hpp"
 #include "frontend/names/scopes.hpp"
 #include "frontend/syntax/expression_visitor.hpp"

@@ -11,7 +11,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "frontend/names/names.hpp"
 
 namespace robochart::frontend {

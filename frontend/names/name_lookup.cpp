@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/foreign_words.hpp"
 #include "frontend/syntax/lexer.hpp"

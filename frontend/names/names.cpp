@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "diagnostics/fixes.hpp"
+#include "base/diagnostics/fixes.hpp"
 
 namespace robochart::frontend {
 

@@ -2,7 +2,7 @@
 // The model as indented text, one node a line, for `--print ast` and `--print model`.
 #include <fmt/format.h>
 
-#include "diagnostics/text.hpp"
+#include "base/diagnostics/text.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/print.hpp"
 #include "frontend/types/types.hpp"

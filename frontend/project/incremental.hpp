@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "frontend/syntax/ast.hpp"
 
 namespace robochart::frontend {

@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <set>
 
-#include "diagnostics/files.hpp"
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/files.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/lexer.hpp"
 #include "frontend/syntax/parse.hpp"

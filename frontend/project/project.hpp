@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "frontend/syntax/ast.hpp"
 
 namespace robochart::frontend {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <set>
 
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "frontend/resolve/component_paths.hpp"
 #include "frontend/resolve/resolver.hpp"
 #include "frontend/rules/rules.hpp"

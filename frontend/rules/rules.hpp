@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::frontend::rules {
 

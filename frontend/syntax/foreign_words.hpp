@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-#include "diagnostics/advice/advice.hpp"
+#include "base/advice/advice.hpp"
 #include "frontend/syntax/lexer.hpp"
 
 namespace robochart::frontend {

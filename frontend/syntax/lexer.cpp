@@ -8,7 +8,7 @@
 #include <array>
 #include <charconv>
 
-#include "diagnostics/utf8.hpp"
+#include "base/diagnostics/utf8.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 
 namespace robochart::frontend {

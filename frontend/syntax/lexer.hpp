@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "diagnostics/diagnostic.hpp"
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+#include "base/diagnostics/source.hpp"
 
 namespace robochart::frontend {
 

@@ -8,7 +8,7 @@
 #include <array>
 #include <filesystem>
 
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 

@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "frontend/syntax/ast.hpp"
 #include "frontend/syntax/foreign_words.hpp"
 #include "frontend/syntax/lexer.hpp"

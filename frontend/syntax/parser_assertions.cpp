@@ -6,7 +6,7 @@
 #include <array>
 #include <charconv>
 
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "frontend/syntax/parser.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 

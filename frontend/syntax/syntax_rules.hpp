@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::frontend::syntax {
 

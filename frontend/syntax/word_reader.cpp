@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "diagnostics/spelling.hpp"
-#include "diagnostics/text.hpp"
+#include "base/diagnostics/spelling.hpp"
+#include "base/diagnostics/text.hpp"
 #include "frontend/syntax/foreign_words.hpp"
 
 namespace robochart::frontend {

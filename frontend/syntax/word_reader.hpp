@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "diagnostics/advice/advice.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/advice/advice.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "frontend/syntax/lexer.hpp"
 
 namespace robochart::frontend {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/print.hpp"
 #include "frontend/types/typer.hpp"

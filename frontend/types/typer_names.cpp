@@ -4,7 +4,7 @@
 
 #include <deque>
 
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/print.hpp"
 #include "frontend/types/typer.hpp"

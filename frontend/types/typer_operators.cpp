@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Types of operators: `nat - nat` is an int, `/` is always real, `%` keeps the type of its operands, comparisons are on
 // reals, `*` of vectors is the dot product.
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "frontend/rules/rules.hpp"
 #include "frontend/syntax/print.hpp"
 #include "frontend/types/typer.hpp"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "semantics/evaluate/carrier.hpp"
 #include "semantics/evaluate/evaluate.hpp"
 #include "semantics/instantiate/instantiate.hpp"

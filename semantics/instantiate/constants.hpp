@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "semantics/instantiate/given_constants.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/literals.hpp"

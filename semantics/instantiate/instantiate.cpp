@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "semantics/evaluate/evaluate.hpp"
 #include "semantics/instantiate/compared.hpp"
 #include "semantics/instantiate/constants.hpp"

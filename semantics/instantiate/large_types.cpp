@@ -8,8 +8,8 @@
 #include <set>
 #include <vector>
 
-#include "diagnostics/source.hpp"
-#include "diagnostics/text.hpp"
+#include "base/diagnostics/source.hpp"
+#include "base/diagnostics/text.hpp"
 #include "semantics/ir/literals.hpp"
 
 namespace robochart::ir {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/source.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/source.hpp"
 #include "semantics/ir/ir.hpp"
 
 namespace robochart::ir {

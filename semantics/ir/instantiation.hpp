@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "diagnostics/budget.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/budget.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::ir {
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/escape.hpp"
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/source.hpp"
 
 namespace robochart::ir {
 

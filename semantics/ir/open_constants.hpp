@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/source.hpp"
 #include "semantics/ir/ir.hpp"
 
 namespace robochart::ir {

@@ -2,8 +2,8 @@
 // Converts the resolved model to the shared IR.
 #pragma once
 
-#include "diagnostics/diagnostic.hpp"
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+#include "base/diagnostics/source.hpp"
 #include "frontend/syntax/ast.hpp"
 #include "semantics/ir/ir.hpp"
 

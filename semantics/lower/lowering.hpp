@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/diagnostic.hpp"
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+#include "base/diagnostics/source.hpp"
 #include "frontend/syntax/ast.hpp"
 #include "frontend/types/types.hpp"
 #include "semantics/ir/ir.hpp"

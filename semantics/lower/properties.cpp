@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "diagnostics/text.hpp"
+#include "base/diagnostics/text.hpp"
 #include "semantics/ir/query.hpp"
 #include "semantics/lower/expressions.hpp"
 #include "semantics/lower/paths.hpp"

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "checker/markov/operators/robust.hpp"
+#include "prism/markov/operators/robust.hpp"
 #include "simulation/scenario/rules.hpp"
-#include "statistics/means.hpp"
+#include "base/statistics/means.hpp"
 
 namespace robochart::simulation {
 

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/budget.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/budget.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "simulation/chain/states.hpp"
 #include "simulation/report/claims.hpp"
 #include "simulation/trial/trial.hpp"
-#include "statistics/chains.hpp"
+#include "base/statistics/chains.hpp"
 
 namespace robochart::simulation {
 

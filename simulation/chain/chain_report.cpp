@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "diagnostics/json.hpp"
+#include "base/diagnostics/json.hpp"
 #include "simulation/report/line_plot.hpp"
 #include "simulation/report/percent.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/json.hpp"
+#include "base/diagnostics/json.hpp"
 #include "simulation/chain/chain.hpp"
 
 namespace robochart::simulation {

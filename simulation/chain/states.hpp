@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/budget.hpp"
+#include "base/diagnostics/budget.hpp"
 #include "simulation/scenario/scenario.hpp"
-#include "statistics/chains.hpp"
+#include "base/statistics/chains.hpp"
 
 namespace robochart::simulation {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "simulation/trial/trial.hpp"
-#include "statistics/sequential.hpp"
+#include "base/statistics/sequential.hpp"
 
 namespace robochart::simulation {
 

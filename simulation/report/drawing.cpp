@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::simulation {
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 #include "simulation/report/drawing.hpp"
 
 namespace robochart::simulation {

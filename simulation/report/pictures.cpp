@@ -10,7 +10,7 @@
 #include <functional>
 #include <numbers>
 
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::simulation {
 

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <utility>
 
-#include "diagnostics/json.hpp"
+#include "base/diagnostics/json.hpp"
 
 namespace robochart::simulation {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/json.hpp"
+#include "base/diagnostics/json.hpp"
 #include "simulation/report/run.hpp"
 
 namespace robochart::simulation {

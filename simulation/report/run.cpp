@@ -10,7 +10,7 @@
 #include <limits>
 #include <mutex>
 
-#include "diagnostics/threads/threads.hpp"
+#include "base/threads/threads.hpp"
 #include "simulation/scenario/rules.hpp"
 
 namespace robochart::simulation {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::simulation {
 

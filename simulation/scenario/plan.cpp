@@ -9,7 +9,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "simulation/scenario/rules.hpp"
 
 namespace robochart::simulation {

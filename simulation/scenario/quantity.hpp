@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/source.hpp"
 
 namespace robochart::simulation {
 

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "diagnostics/diagnostic.hpp"
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+#include "base/diagnostics/source.hpp"
 #include "simulation/scenario/scenario.hpp"
 
 namespace robochart::simulation {

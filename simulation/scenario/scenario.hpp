@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "frontend/syntax/word_reader.hpp"
 #include "simulation/scenario/quantity.hpp"
 #include "simulation/world/sensing.hpp"

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "simulation/scenario/rules.hpp"
 
 namespace robochart::simulation {

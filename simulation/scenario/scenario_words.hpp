@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "frontend/syntax/word_reader.hpp"
 #include "simulation/scenario/scenario.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 #include "simulation/scenario/drawn_obstacles.hpp"
 #include "simulation/scenario/rules.hpp"
 #include "simulation/scenario/scenario_reader.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "simulation/sweep/sweep_report.hpp"
-#include "statistics/two_samples.hpp"
+#include "base/statistics/two_samples.hpp"
 
 namespace robochart::simulation {
 

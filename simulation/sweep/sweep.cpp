@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "diagnostics/json.hpp"
+#include "base/diagnostics/json.hpp"
 #include "simulation/report/percent.hpp"
 
 namespace robochart::simulation {

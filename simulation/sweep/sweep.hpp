@@ -10,7 +10,7 @@
 
 #include "simulation/report/claims.hpp"
 #include "simulation/scenario/scenario.hpp"
-#include "statistics/survival.hpp"
+#include "base/statistics/survival.hpp"
 
 namespace robochart::simulation {
 

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 #include "simulation/report/drawing.hpp"
 #include "simulation/report/percent.hpp"
-#include "statistics/survival.hpp"
+#include "base/statistics/survival.hpp"
 
 namespace robochart::simulation {
 

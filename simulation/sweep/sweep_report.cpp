@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "simulation/report/percent.hpp"
-#include "statistics/survival.hpp"
+#include "base/statistics/survival.hpp"
 
 namespace robochart::simulation {
 

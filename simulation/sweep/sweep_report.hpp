@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/json.hpp"
+#include "base/diagnostics/json.hpp"
 #include "simulation/sweep/sweep.hpp"
 
 namespace robochart::simulation {

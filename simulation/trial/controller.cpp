@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "diagnostics/splitmix64.hpp"
+#include "base/diagnostics/splitmix64.hpp"
 
 namespace robochart::simulation {
 

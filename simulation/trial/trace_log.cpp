@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "cpp_emit/files/trace_names.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::simulation {
 

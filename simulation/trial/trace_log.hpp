@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cpp_emit/simulator_api.hpp"
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/files.hpp"
 #include "simulation/trial/trial.hpp"
 
 namespace robochart::simulation {

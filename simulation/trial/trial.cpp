@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "diagnostics/splitmix64.hpp"
+#include "base/diagnostics/splitmix64.hpp"
 #include "simulation/world/random.hpp"
 
 namespace robochart::simulation {

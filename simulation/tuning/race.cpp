@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 
-#include "statistics/blocks.hpp"
+#include "base/statistics/blocks.hpp"
 
 namespace robochart::simulation {
 

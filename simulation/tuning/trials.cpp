@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "diagnostics/threads/threads.hpp"
+#include "base/threads/threads.hpp"
 #include "simulation/trial/trial.hpp"
 
 namespace robochart::simulation {

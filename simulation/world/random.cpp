@@ -3,7 +3,7 @@
 
 #include <bit>
 
-#include "diagnostics/splitmix64.hpp"
+#include "base/diagnostics/splitmix64.hpp"
 
 namespace robochart::simulation {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "checker/refine/search/limits.hpp"
-#include "diagnostics/budget.hpp"
+#include "base/diagnostics/budget.hpp"
 #include "sleec/obligations/obligation.hpp"
 
 namespace robochart::sleec {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/source.hpp"
 #include "sleec/analysis/conflicts.hpp"
 #include "sleec/analysis/properties.hpp"
 

@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "sleec/checks/rules.hpp"
 #include "sleec/syntax/printer.hpp"
 #include "sleec/syntax/rules.hpp"

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "sleec/checks/checked.hpp"
 
 namespace robochart::sleec {

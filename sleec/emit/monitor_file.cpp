@@ -12,7 +12,7 @@
 
 #include "cpp_emit/files/files.hpp"
 #include "cpp_emit/plan/names.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 #include "sleec/obligations/open.hpp"
 #include "sleec/obligations/samples.hpp"
 #include "sleec/syntax/printer.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cpp_emit/plan/options.hpp"
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/source.hpp"
 #include "sleec/obligations/obligation.hpp"
 
 namespace robochart::sleec {

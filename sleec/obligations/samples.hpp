@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "diagnostics/budget.hpp"
+#include "base/diagnostics/budget.hpp"
 #include "sleec/obligations/obligation.hpp"
 
 namespace robochart::sleec {

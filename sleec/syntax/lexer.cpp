@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 #include "sleec/syntax/rules.hpp"
 
 namespace robochart::sleec {

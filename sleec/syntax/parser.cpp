@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 #include "sleec/syntax/rules.hpp"
 
 namespace robochart::sleec {

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "diagnostics/advice/advice.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/advice/advice.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "sleec/syntax/lexer.hpp"
 #include "sleec/syntax/syntax.hpp"
 

@@ -2,7 +2,7 @@
 // Parses SLEEC files to trees.
 #pragma once
 
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "sleec/syntax/syntax.hpp"
 
 namespace robochart::sleec {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/source.hpp"
 
 namespace robochart::sleec {
 

@@ -9,7 +9,7 @@
 
 #include "app/tune/certificate.hpp"
 #include "command.hpp"
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/files.hpp"
 #include "tests/contents.hpp"
 
 namespace robochart::app {

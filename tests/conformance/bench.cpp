@@ -8,7 +8,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/render.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "tests/conformance/support.hpp"
 #include "tests/source_folder.hpp"

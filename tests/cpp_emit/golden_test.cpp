@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
 #include "semantics/lower/lower.hpp"
 #include "tests/cpp_emit/harness.hpp"

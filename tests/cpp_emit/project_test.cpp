@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/render.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/cpp_emit/models.hpp"

@@ -4,7 +4,7 @@
 
 #include "csp_emit/blocks/check_blocks.hpp"
 #include "csp_emit/blocks/script_names.hpp"
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
 
 namespace robochart::csp_emit {

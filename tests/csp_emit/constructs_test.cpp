@@ -7,7 +7,7 @@
 
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/types/type_check.hpp"
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/render.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
 namespace robochart::csp_emit {

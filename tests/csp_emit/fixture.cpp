@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/toolkits/toolkits.hpp"

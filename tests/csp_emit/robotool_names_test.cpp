@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "checker/cspm/types/type_check.hpp"
-#include "diagnostics/fixes.hpp"
+#include "base/diagnostics/fixes.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
 namespace robochart::csp_emit {

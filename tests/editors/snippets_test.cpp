@@ -5,7 +5,7 @@
 #include <map>
 #include <regex>
 
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/render.hpp"
 #include "extension.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"

@@ -8,8 +8,8 @@
 #include <memory>
 #include <string>
 
-#include "diagnostics/diagnostic.hpp"
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+#include "base/diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/toolkits/toolkits.hpp"

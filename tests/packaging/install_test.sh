@@ -63,6 +63,6 @@ grep -q "^project(robochart-verify VERSION $("${run[@]}" version | cut -d ' ' -f
 
 "$sources/tests/packaging/symbols.sh" "$folder/usr/bin/robochart-verify"
 
-cmake -DMANIFEST="$folder/ours" -P "$sources/cmake/uninstall.cmake" >/dev/null 2>&1
+cmake -DMANIFEST="$folder/ours" -P "$sources/scripts/cmake/uninstall.cmake" >/dev/null 2>&1
 [ -z "$(find "$folder/usr" -type f)" ] || { echo "uninstall leaves files" >&2; exit 1; }
 echo "what is installed is complete and runs"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/command/rule_pages.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::testing {
 

@@ -66,12 +66,12 @@ TEST(Sanity, NoLeftovers) {
     }
 }
 
-/// Text from models is ForeignText until a function of diagnostics/escape.hpp returns it. This test lists the files
+/// Text from models is ForeignText until a function of base/diagnostics/escape.hpp returns it. This test lists the files
 /// that access it directly: those that compute with its characters, and those that pass it to a syntax tree whose
 /// printer escapes it.
 TEST(Sanity, ForeignTextIsLetOutByTheEscapersAlone) {
     const std::set<std::string> seams = {"csp_emit/expressions/expressions.cpp", "csp_emit/compose/instantiations.cpp",
-                                         "diagnostics/escape.cpp", "diagnostics/escape.hpp",
+                                         "base/diagnostics/escape.cpp", "base/diagnostics/escape.hpp",
                                          "semantics/evaluate/evaluate_composed.cpp"};
     for (const std::string& name : program_files()) {
         const bool looks = contents(root() / name).find("unescaped()") != std::string::npos;
@@ -83,7 +83,7 @@ TEST(Sanity, ForeignTextIsLetOutByTheEscapersAlone) {
 TEST(Sanity, NobodyElseEscapes) {
     const std::string by_hand[] = {"'\"' || c == '\\\\'", "&quot;", "&lt;"};
     for (const std::string& name : program_files()) {
-        if (name == "diagnostics/escape.cpp" || name == "diagnostics/json.cpp" || name.starts_with("cpp_emit/runtime/"))
+        if (name == "base/diagnostics/escape.cpp" || name == "base/diagnostics/json.cpp" || name.starts_with("cpp_emit/runtime/"))
             continue;
         for (const std::string& text : by_hand)
             EXPECT_EQ(contents(root() / name).find(text), std::string::npos) << name << " escapes by hand: " << text;
@@ -130,9 +130,9 @@ TEST(Sanity, EveryRuleIsExplainedAndTested) {
 /// .clang-format applies to all sources; folders with generated texts have their own file that disables it.
 TEST(Sanity, SourcesAreLaidOutByClangFormat) {
     ROBOCHART_NEEDS(std::system("clang-format --version > /dev/null 2>&1") == 0, "clang-format");
-    for (const std::string folder :
-         {"app", "benchmarks", "checker", "conformance", "cpp_emit", "csp_emit", "diagnostics", "diagrams", "frontend",
-          "lsp", "runs", "semantics", "simulation", "statistics", "tests"}) {
+    std::vector<std::string> folders = components();
+    folders.insert(folders.end(), {"benchmarks", "tests"});
+    for (const std::string& folder : folders) {
         std::string command = "clang-format --dry-run -Werror";
         for (const fs::path& path : files(root() / folder, {".cpp", ".hpp", ".h"}))
             command += " '" + path.string() + "'";
@@ -143,7 +143,7 @@ TEST(Sanity, SourcesAreLaidOutByClangFormat) {
 /// Paths in documentation and comments that are relative to the root or to tests/ must exist.
 TEST(Sanity, PathsInTextsExist) {
     const std::regex path(
-        R"((?:^|[^\w/.-])((?:app|checker|conformance|corpus|cpp_emit|csp_emit|diagnostics|diagrams|docs|editors|frontend|lsp|runs|scripts|semantics|simulation|statistics|tests)/[a-zA-Z0-9_/-]+\.(?:cpp|hpp|h|md|sh|py|txt|rct)\b))");
+        R"((?:^|[^\w/.-])((?:app|base|benchmarks|checker|conformance|corpus|counterexample|cpp_emit|csp_emit|docs|editors|frontend|prism|scripts|semantics|simulation|sleec|tests)/[a-zA-Z0-9_/-]+\.(?:cpp|hpp|h|md|sh|py|txt|rct)\b))");
     const std::set<std::string> examples = {"docs/rules/CODE.md"};
     std::size_t found = 0;
     for (const fs::path& file : files(root(), {".md", ".cpp", ".hpp", ".sh", ".txt", ".cmake"})) {

@@ -31,10 +31,14 @@ std::vector<fs::path> files(const fs::path& folder, const std::set<std::string>&
     return found;
 }
 
+std::vector<std::string> components() {
+    return {"app",      "base",    "checker",  "conformance", "counterexample", "cpp_emit",   "csp_emit",
+            "editors",  "frontend", "prism",   "semantics",   "simulation",     "sleec"};
+}
+
 std::vector<std::string> program_files() {
     std::vector<std::string> found;
-    for (const char* component : {"app", "checker", "conformance", "cpp_emit", "csp_emit", "diagnostics", "diagrams",
-                                  "frontend", "lsp", "runs", "semantics", "simulation", "statistics"})
+    for (const std::string& component : components())
         for (const fs::path& path : files(root() / component, {".cpp", ".hpp"})) {
             const std::string name = fs::relative(path, root()).string();
             if (!name.starts_with("cpp_emit/projects/")) found.push_back(name);

@@ -18,6 +18,8 @@ using tests::contents;
 /// Files below a folder with one of these extensions, sorted, without build trees.
 [[nodiscard]] std::vector<std::filesystem::path> files(const std::filesystem::path& folder,
                                                        const std::set<std::string>& extensions);
+/// The top folders with sources of the program.
+[[nodiscard]] std::vector<std::string> components();
 /// Sources of the program, relative to the root, without those of generated projects and of tests.
 [[nodiscard]] std::vector<std::string> program_files();
 /// The project's files that a source includes, relative to the root.
@@ -25,7 +27,7 @@ using tests::contents;
 [[nodiscard]] std::string folder_of(const std::string& file);
 
 /// A row of the table of folders in docs/architecture.md: the folders that its files may include, in addition to
-/// `diagnostics` and its own folder.
+/// `base/diagnostics` and its own folder.
 struct FolderRow {
     std::set<std::string> allowed;   ///< "a/b"; "a/*": the folders below a
     std::set<std::string> excluded;  ///< "everything but": components or folders

@@ -9,7 +9,7 @@
 #include "harness.hpp"
 #include "simulation/report/report.hpp"
 #include "simulation/sweep/sweep.hpp"
-#include "statistics/binomial.hpp"
+#include "base/statistics/binomial.hpp"
 #include "tests/needed.hpp"
 #include "tests/source_folder.hpp"
 

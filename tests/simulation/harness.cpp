@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/lower/lower.hpp"

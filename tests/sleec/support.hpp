@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/render.hpp"
 #include "sleec/checks/check.hpp"
 #include "sleec/syntax/reader.hpp"
 

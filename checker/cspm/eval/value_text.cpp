@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "checker/cspm/types/builtins.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::cspm {
 

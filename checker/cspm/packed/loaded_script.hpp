@@ -8,7 +8,7 @@
 #include "checker/cspm/resolve/resolver.hpp"
 #include "checker/cspm/syntax/syntax.hpp"
 #include "checker/process/operational_semantics.hpp"
-#include "diagnostics/budget.hpp"
+#include "base/diagnostics/budget.hpp"
 
 namespace robochart::cspm {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "diagnostics/utf8.hpp"
+#include "base/diagnostics/utf8.hpp"
 
 namespace robochart::cspm {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "diagnostics/advice/advice.hpp"
+#include "base/advice/advice.hpp"
 
 namespace robochart::cspm {
 

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "diagnostics/splitmix64.hpp"
+#include "base/diagnostics/splitmix64.hpp"
 
 namespace robochart::cspm {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "checker/cspm/syntax/advice.hpp"
 #include "checker/cspm/syntax/rules.hpp"
-#include "diagnostics/utf8.hpp"
+#include "base/diagnostics/utf8.hpp"
 
 namespace robochart::cspm {
 

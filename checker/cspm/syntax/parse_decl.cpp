@@ -6,7 +6,7 @@
 
 #include "checker/cspm/syntax/parser.hpp"
 #include "checker/cspm/syntax/rules.hpp"
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 
 namespace robochart::cspm {
 

@@ -9,7 +9,7 @@
 
 #include "checker/cspm/syntax/advice.hpp"
 #include "checker/cspm/syntax/rules.hpp"
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 
 namespace robochart::cspm {
 

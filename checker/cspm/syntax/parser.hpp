@@ -10,7 +10,7 @@
 
 #include "checker/cspm/syntax/lexer.hpp"
 #include "checker/cspm/syntax/syntax.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::cspm {
 

@@ -5,7 +5,7 @@
 #include "checker/cspm/syntax/levels.hpp"
 #include "checker/cspm/syntax/printer.hpp"
 #include "checker/cspm/syntax/reader.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::cspm {
 

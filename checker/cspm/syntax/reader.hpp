@@ -7,7 +7,7 @@
 #include <string>
 
 #include "checker/cspm/syntax/syntax.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::cspm {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/source.hpp"
 
 namespace robochart::cspm {
 

@@ -9,7 +9,7 @@
 
 #include "checker/cspm/types/terms.hpp"
 #include "checker/cspm/types/unify.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::cspm::types {
 

@@ -7,7 +7,7 @@
 
 #include "checker/cspm/types/expression_types.hpp"
 #include "checker/cspm/types/terms.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::cspm::types {
 

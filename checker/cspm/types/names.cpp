@@ -9,7 +9,7 @@
 
 #include "checker/cspm/types/builtins.hpp"
 #include "checker/cspm/types/rules.hpp"
-#include "diagnostics/spelling.hpp"
+#include "base/diagnostics/spelling.hpp"
 
 namespace robochart::cspm::types {
 

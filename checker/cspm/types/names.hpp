@@ -11,7 +11,7 @@
 
 #include "checker/cspm/types/builtin_types.hpp"
 #include "checker/cspm/types/terms.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::cspm::types {
 

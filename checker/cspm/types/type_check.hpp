@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "checker/cspm/syntax/syntax.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::cspm {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "checker/cspm/types/type.hpp"
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 
 namespace robochart::cspm::types {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "checker/storage/sort_rows.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::refine {
 

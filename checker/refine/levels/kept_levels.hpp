@@ -12,7 +12,7 @@
 #include "checker/refine/levels/row_store.hpp"
 #include "checker/storage/level_files.hpp"
 #include "checker/storage/sorted_runs.hpp"
-#include "diagnostics/descriptor.hpp"
+#include "base/diagnostics/descriptor.hpp"
 
 namespace robochart::refine {
 

@@ -10,7 +10,7 @@
 #include "checker/refine/levels/memory_row_store.hpp"
 #include "checker/refine/levels/saved_row_store.hpp"
 #include "checker/storage/file_lock.hpp"
-#include "diagnostics/escape.hpp"
+#include "base/diagnostics/escape.hpp"
 
 namespace robochart::refine {
 namespace {

@@ -12,7 +12,7 @@
 #include "checker/refine/levels/exchange.hpp"
 #include "checker/refine/levels/row_store.hpp"
 #include "checker/storage/checkpoint.hpp"
-#include "diagnostics/cache/digest.hpp"
+#include "base/cache/digest.hpp"
 
 namespace robochart::refine {
 

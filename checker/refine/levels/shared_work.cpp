@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "checker/storage/storage_error.hpp"
-#include "diagnostics/budget.hpp"
+#include "base/diagnostics/budget.hpp"
 
 namespace robochart::refine {
 namespace {

@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "checker/refine/levels/shared_work.hpp"
-#include "diagnostics/budget.hpp"
-#include "diagnostics/threads/threads.hpp"
+#include "base/diagnostics/budget.hpp"
+#include "base/threads/threads.hpp"
 
 namespace robochart::refine {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "diagnostics/threads/threads.hpp"
+#include "base/threads/threads.hpp"
 
 namespace robochart::refine {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "checker/process/operational_semantics.hpp"
 #include "checker/refine/search/limits.hpp"
-#include "diagnostics/budget.hpp"
+#include "base/diagnostics/budget.hpp"
 
 namespace robochart::refine {
 

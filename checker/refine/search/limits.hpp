@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "diagnostics/budget.hpp"
+#include "base/diagnostics/budget.hpp"
 
 namespace robochart::refine {
 

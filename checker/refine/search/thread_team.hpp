@@ -8,7 +8,7 @@
 #include <functional>
 #include <mutex>
 
-#include "diagnostics/threads/threads.hpp"
+#include "base/threads/threads.hpp"
 
 namespace robochart::refine {
 

@@ -13,8 +13,8 @@
 #include <random>
 
 #include "checker/storage/file_lock.hpp"
-#include "diagnostics/escape.hpp"
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/files.hpp"
 
 namespace robochart::refine {
 namespace {

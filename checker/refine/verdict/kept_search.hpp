@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "checker/refine/verdict/level_strategy.hpp"
-#include "diagnostics/cache/cache.hpp"
-#include "diagnostics/descriptor.hpp"
+#include "base/cache/cache.hpp"
+#include "base/diagnostics/descriptor.hpp"
 
 namespace robochart::refine {
 

@@ -12,7 +12,7 @@
 #include "checker/refine/levels/row_keeping.hpp"
 #include "checker/refine/verdict/findings.hpp"
 #include "checker/refine/verdict/normal_table.hpp"
-#include "diagnostics/cache/cache.hpp"
+#include "base/cache/cache.hpp"
 
 namespace robochart::refine {
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "diagrams/stored/aird.hpp"
+#include "frontend/diagrams/stored/aird.hpp"
 #include "tests/app/command.hpp"
 #include "tests/contents.hpp"
 

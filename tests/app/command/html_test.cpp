@@ -8,7 +8,7 @@
 #include <regex>
 #include <string>
 
-#include "diagnostics/cache/digest.hpp"
+#include "base/cache/digest.hpp"
 #include "tests/app/command.hpp"
 #include "tests/app/command/page.hpp"
 #include "tests/contents.hpp"

@@ -8,7 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/files.hpp"
 #include "tests/app/command.hpp"
 #include "tests/app/command/page.hpp"
 #include "tests/contents.hpp"

@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "diagnostics/cache/digest.hpp"
+#include "base/cache/digest.hpp"
 #include "tests/app/command.hpp"
 
 namespace robochart::app::testing {

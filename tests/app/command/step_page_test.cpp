@@ -9,8 +9,8 @@
 #include <sstream>
 #include <string>
 
-#include "diagnostics/cache/digest.hpp"
-#include "diagnostics/splitmix64.hpp"
+#include "base/cache/digest.hpp"
+#include "base/diagnostics/splitmix64.hpp"
 #include "tests/app/command.hpp"
 #include "tests/app/command/page.hpp"
 #include "tests/contents.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `step` as a user runs it, with commands on standard input. tests/runs/stepper_test.cpp checks that its offers agree
+// `step` as a user runs it, with commands on standard input. tests/counterexample/stepper_test.cpp checks that its offers agree
 // with the semantics; the commands of docs/step.md are also run.
 #include <gmock/gmock.h>
 

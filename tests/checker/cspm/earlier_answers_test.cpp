@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "checker/cspm/session.hpp"
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/files.hpp"
 #include "tests/checker/cspm/support.hpp"
 
 namespace robochart::cspm::test {

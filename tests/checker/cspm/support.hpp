@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "checker/cspm/syntax/reader.hpp"
-#include "diagnostics/diagnostic.hpp"
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+#include "base/diagnostics/render.hpp"
 #include "tests/shared_folder.hpp"
 
 namespace robochart::cspm::test {

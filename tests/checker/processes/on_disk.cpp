@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/files.hpp"
 
 namespace robochart::refine {
 

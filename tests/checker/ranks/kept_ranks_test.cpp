@@ -21,7 +21,7 @@
 #include "checker/refine/verdict/check.hpp"
 #include "checker/refine/verdict/kept_search.hpp"
 #include "checker/storage/file_lock.hpp"
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/files.hpp"
 #include "tests/checker/process/scripted.hpp"
 #include "tests/checker/processes/verdict_text.hpp"
 #include "tests/checker/ranks/faulty_exchange.hpp"

@@ -12,7 +12,7 @@
 #include <random>
 #include <set>
 
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/files.hpp"
 #include "tests/file_limit.hpp"
 #include "tests/open_files_limit.hpp"
 

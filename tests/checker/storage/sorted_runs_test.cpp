@@ -10,7 +10,7 @@
 #include <random>
 #include <set>
 
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/files.hpp"
 #include "tests/file_limit.hpp"
 
 namespace robochart::storage {

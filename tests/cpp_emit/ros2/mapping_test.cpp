@@ -6,7 +6,7 @@
 
 #include "cpp_emit/ros2/messages.hpp"
 #include "cpp_emit/ros2/ros_names.hpp"
-#include "diagnostics/splitmix64.hpp"
+#include "base/diagnostics/splitmix64.hpp"
 #include "tests/cpp_emit/models.hpp"
 #include "tests/cpp_emit/ros2/package.hpp"
 

@@ -17,7 +17,7 @@
 #include "csp_emit/emit.hpp"
 #include "csp_emit/swarm/compose.hpp"
 #include "csp_emit/swarm/read_swarm.hpp"
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/render.hpp"
 #include "frontend/project/project.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/lower/lower.hpp"

@@ -2,7 +2,7 @@
 // Certain fixes, applied as `validate --fix` applies them: afterwards the text is accepted.
 #include <gtest/gtest.h>
 
-#include "diagnostics/fixes.hpp"
+#include "base/diagnostics/fixes.hpp"
 #include "tests/frontend/fixture.hpp"
 
 namespace robochart::frontend {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Certain fixes on every example of the rules: the text that `validate --fix` would write is better than the original.
-#include "diagnostics/repair/repair.hpp"
+#include "base/repair/repair.hpp"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <set>
 
-#include "diagnostics/fixes.hpp"
+#include "base/diagnostics/fixes.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "tests/frontend/fixture.hpp"
 #include "tests/source_folder.hpp"

@@ -3,7 +3,7 @@
 // or a tree in linear time, without a crash or a report as long as the text.
 #include <gtest/gtest.h>
 
-#include "diagnostics/json.hpp"
+#include "base/diagnostics/json.hpp"
 #include "tests/frontend/fixture.hpp"
 #include "tests/rounds.hpp"
 

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <set>
 
-#include "diagnostics/fixes.hpp"
+#include "base/diagnostics/fixes.hpp"
 #include "frontend/syntax/lexer.hpp"
 #include "tests/frontend/fixture.hpp"
 

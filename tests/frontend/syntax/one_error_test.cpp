@@ -2,7 +2,7 @@
 // Confused forms, and missing braces: one error that states the correct form, with a fix that parses as intended.
 #include <gtest/gtest.h>
 
-#include "diagnostics/fixes.hpp"
+#include "base/diagnostics/fixes.hpp"
 #include "tests/frontend/fixture.hpp"
 
 namespace robochart::frontend {

@@ -8,8 +8,8 @@
 #include <sstream>
 #include <vector>
 
-#include "lsp/protocol/transport.hpp"
-#include "lsp/server.hpp"
+#include "editors/server/protocol/transport.hpp"
+#include "editors/server/server.hpp"
 #include "tests/fuzz/targets/targets.hpp"
 
 namespace robochart::fuzz {

@@ -2,7 +2,7 @@
 // See findings.hpp.
 #include "tests/fuzz/targets/findings.hpp"
 
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/render.hpp"
 
 namespace robochart::fuzz {
 

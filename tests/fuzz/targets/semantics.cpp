@@ -11,7 +11,7 @@
 #include "conformance/check/batch.hpp"
 #include "cpp_emit/emit.hpp"
 #include "csp_emit/emit.hpp"
-#include "diagnostics/budget.hpp"
+#include "base/diagnostics/budget.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/toolkits/toolkits.hpp"

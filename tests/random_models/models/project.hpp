@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/diagnostic.hpp"
-#include "diagnostics/source.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+#include "base/diagnostics/source.hpp"
 #include "frontend/syntax/ast.hpp"
 
 namespace robochart::random_models {

@@ -2,7 +2,7 @@
 // See random.hpp.
 #include "tests/random_models/models/random.hpp"
 
-#include "diagnostics/splitmix64.hpp"
+#include "base/diagnostics/splitmix64.hpp"
 
 namespace robochart::random_models {
 

@@ -8,7 +8,7 @@
 
 #include "checker/cspm/session.hpp"
 #include "csp_emit/emit.hpp"
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/files.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/lower/lower.hpp"
 #include "tests/random_models/changes/shrink.hpp"

@@ -10,7 +10,7 @@
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/types/type_check.hpp"
 #include "csp_emit/emit.hpp"
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/render.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/lower/lower.hpp"
 #include "tests/nested_instances.hpp"

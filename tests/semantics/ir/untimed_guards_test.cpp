@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "diagnostics/splitmix64.hpp"
+#include "base/diagnostics/splitmix64.hpp"
 
 namespace robochart::ir {
 namespace {

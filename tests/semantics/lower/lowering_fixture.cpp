@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/render.hpp"
 #include "frontend/syntax/parse.hpp"
 #include "frontend/toolkits/toolkits.hpp"
 #include "semantics/ir/dump.hpp"

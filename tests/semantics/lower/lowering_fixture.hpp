@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/diagnostic.hpp"
+#include "base/diagnostics/diagnostic.hpp"
 #include "frontend/project/project.hpp"
 #include "semantics/ir/ir.hpp"
 #include "semantics/lower/lower.hpp"

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <set>
 
-#include "diagnostics/render.hpp"
+#include "base/diagnostics/render.hpp"
 #include "simulation/scenario/scenario_words.hpp"
 #include "tests/simulation/harness.hpp"
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "simulation/scenario/read_scenario.hpp"
-#include "statistics/binomial.hpp"
+#include "base/statistics/binomial.hpp"
 
 namespace robochart::simulation {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "simulation/scenario/read_scenario.hpp"
-#include "statistics/binomial.hpp"
+#include "base/statistics/binomial.hpp"
 #include "tests/simulation/harness.hpp"
 
 namespace robochart::simulation {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "diagnostics/splitmix64.hpp"
+#include "base/diagnostics/splitmix64.hpp"
 
 namespace robochart::simulation {
 namespace {

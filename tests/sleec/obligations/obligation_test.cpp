@@ -3,7 +3,7 @@
 // compared with an evaluation of the definition on every history.
 #include <gtest/gtest.h>
 
-#include "diagnostics/splitmix64.hpp"
+#include "base/diagnostics/splitmix64.hpp"
 #include "sleec/obligations/open.hpp"
 #include "sleec/obligations/samples.hpp"
 #include "tests/sleec/support.hpp"

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <map>
 
-#include "diagnostics/splitmix64.hpp"
+#include "base/diagnostics/splitmix64.hpp"
 #include "sleec/syntax/printer.hpp"
 #include "tests/contents.hpp"
 #include "tests/shared_folder.hpp"

@@ -12,7 +12,7 @@
 
 #include "checker/refine/levels/disk_row_store.hpp"
 #include "checker/refine/levels/saved_row_store.hpp"
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/files.hpp"
 #include "tests/small_disk.hpp"
 
 namespace robochart::refine {

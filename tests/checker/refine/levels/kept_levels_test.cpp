@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/files.hpp"
 
 namespace robochart::refine {
 namespace {

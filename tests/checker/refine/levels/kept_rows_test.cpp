@@ -24,7 +24,7 @@
 #include "checker/refine/levels/thread_exchange.hpp"
 #include "checker/refine/search/thread_team.hpp"
 #include "checker/refine/verdict/monitors.hpp"
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/files.hpp"
 #include "tests/file_limit.hpp"
 
 namespace robochart::refine {

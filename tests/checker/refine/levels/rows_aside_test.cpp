@@ -9,7 +9,7 @@
 #include <map>
 #include <random>
 
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/files.hpp"
 #include "tests/file_limit.hpp"
 
 namespace robochart::refine {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "checker/refine/levels/disk_row_store.hpp"
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/files.hpp"
 
 namespace robochart::refine {
 namespace {

@@ -22,7 +22,7 @@
 #include "checker/lts/graph.hpp"
 #include "checker/refine/verdict/check.hpp"
 #include "checker/storage/file_lock.hpp"
-#include "diagnostics/files.hpp"
+#include "base/diagnostics/files.hpp"
 #include "tests/file_limit.hpp"
 
 namespace {

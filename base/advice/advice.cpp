@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// See advice.hpp.
+#include "base/advice/advice.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace robochart::diagnostics {
+namespace {
+
+bool fits(std::string_view pattern, const AdviceWord& word) {
+    if (pattern == "NAME") return word.kind == WordKind::name;
+    if (pattern == "NUMBER") return word.kind == WordKind::number;
+    if (pattern == "TEXT") return word.kind == WordKind::text;
+    if (pattern == "END") return word.kind == WordKind::end;
+    return word.kind != WordKind::text && word.kind != WordKind::end && word.text == pattern;
+}
+
+std::vector<std::string_view> words_of(std::string_view pattern) {
+    std::vector<std::string_view> words;
+    while (!pattern.empty()) {
+        const std::size_t blank = std::min(pattern.find(' '), pattern.size());
+        words.push_back(pattern.substr(0, blank));
+        pattern.remove_prefix(std::min(blank + 1, pattern.size()));
+    }
+    return words;
+}
+
+}  // namespace
+
+std::string_view advice_on(std::span<const Advice> rows, std::string_view expected,
+                           const std::function<AdviceWord(std::ptrdiff_t)>& word) {
+    for (const Advice& row : rows) {
+        if (!row.expected.empty() && row.expected != expected) continue;
+        const std::vector<std::string_view> words = words_of(row.words);
+        const auto place = std::ranges::find(words, "@");
+        const std::ptrdiff_t before = place - words.begin();
+        bool all = true;
+        for (auto each = words.begin(); each != words.end() && all; ++each) {
+            const std::ptrdiff_t at = each - words.begin();
+            if (each != place) all = fits(*each, word(at < before ? at - before : at - before - 1));
+        }
+        if (all) return row.advice;
+    }
+    return {};
+}
+
+}  // namespace robochart::diagnostics

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fills in the pattern of a rule, and collects findings in a stable order.
+#include "base/diagnostics/diagnostic.hpp"
+
+#include <fmt/args.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "base/diagnostics/utf8.hpp"
+
+namespace robochart::diagnostics {
+
+std::string Diagnostic::message() const {
+    fmt::dynamic_format_arg_store<fmt::format_context> store;
+    for (const std::string& argument : arguments) store.push_back(argument);
+    return fmt::vformat(fmt::string_view(rule->message.data(), rule->message.size()), store);
+}
+
+namespace {
+
+/// People read messages, so only the beginning of a very long name or expression is shown, cut between characters.
+void shorten(std::string& argument) {
+    constexpr std::size_t max_shown = 1000;
+    if (argument.size() <= max_shown) return;
+    std::size_t end = max_shown;
+    while (end > 0 && is_continuation(argument[end])) --end;
+    argument.resize(end);
+    argument += "...";
+}
+
+}  // namespace
+
+Diagnostic& Diagnostics::report(const Rule& rule, Span span, std::vector<std::string> arguments) {
+    std::ranges::for_each(arguments, shorten);
+    Diagnostic finding{&rule, span, std::move(arguments), {}, {}};
+    if (rule.severity == Severity::warning && allowed_.contains(rule.code)) {
+        overflow_ = std::move(finding);
+        return overflow_;
+    }
+    if (rule.severity == Severity::error) ++errors_;
+    if (rule.severity == Severity::warning) ++warnings_;
+    if (rule.severity == Severity::error && span.known()) wrong_.insert(span.source);
+    // Each severity has its own limit, so that many warnings never hide an error.
+    const std::size_t like_this = rule.severity == Severity::error     ? errors_
+                                  : rule.severity == Severity::warning ? warnings_
+                                                                       : 0;
+    if (like_this > max_kept) {
+        ++dropped_;
+        overflow_ = std::move(finding);
+        return overflow_;
+    }
+    items_.push_back(std::move(finding));
+    return items_.back();
+}
+
+void Diagnostics::add(const Diagnostics& other) {
+    const auto kept = [&](Severity severity) {
+        return static_cast<std::size_t>(std::ranges::count_if(
+            other.items_, [&](const Diagnostic& each) { return each.rule->severity == severity; }));
+    };
+    for (const Diagnostic& finding : other.items_) report(*finding.rule, finding.span, finding.arguments) = finding;
+    errors_ += other.errors_ - kept(Severity::error);
+    warnings_ += other.warnings_ - kept(Severity::warning);
+    dropped_ += other.dropped_;
+    wrong_.insert(other.wrong_.begin(), other.wrong_.end());
+}
+
+Diagnostics Diagnostics::about(const std::set<SourceId>& texts) const {
+    Diagnostics result;
+    result.budget_ = budget_;
+    result.allowed_ = allowed_;
+    for (const Diagnostic& finding : items_)
+        if (texts.contains(finding.span.source))
+            result.report(*finding.rule, finding.span, finding.arguments) = finding;
+    return result;
+}
+
+std::vector<Diagnostic> Diagnostics::sorted() const {
+    std::vector<Diagnostic> result = items_;
+    const auto key = [](const Diagnostic& d) {
+        return std::make_tuple(d.span.source, d.span.begin, d.span.end, d.rule->code);
+    };
+    std::ranges::stable_sort(result, [&](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
+    // Constructs that are processed twice, for the timed and the untimed semantics, report the same note twice.
+    const auto noted = [](const Diagnostic& a, const Diagnostic& b) {
+        return a.rule == b.rule && a.rule->severity == Severity::note && a.span.source == b.span.source &&
+               a.span.begin == b.span.begin && a.span.end == b.span.end && a.arguments == b.arguments;
+    };
+    result.erase(std::unique(result.begin(), result.end(), noted), result.end());
+    return result;
+}
+
+}  // namespace robochart::diagnostics

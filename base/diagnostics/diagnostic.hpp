@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Diagnostics as data: a rule from a table, a place, arguments. render.hpp draws them.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostics/budget.hpp"
+#include "base/diagnostics/source.hpp"
+
+namespace robochart::diagnostics {
+
+/// The severity of a finding.
+enum class Severity { note, warning, error };
+
+/// One row of a rule table. All views point at static storage.
+struct Rule {
+    std::string_view code;  ///< the published code if there is one (STM6, J1), otherwise ours (RC-P01, CSPM-T03)
+    Severity severity = Severity::error;
+    std::string_view message;      ///< fmt pattern for the diagnostic's arguments, in order
+    std::string_view explanation;  ///< what `explain CODE` prints: the rule, the reason, an example
+};
+
+/// Points to another relevant place. If the span is unknown, its text is added to the message of the finding.
+struct Note {
+    Span span;
+    std::string message;
+};
+
+/// A certain fix: replace the span's text.
+struct FixIt {
+    Span span;
+    std::string replacement;
+    std::string title;
+};
+
+/// One finding. `rule` is never null.
+struct Diagnostic {
+    const Rule* rule = nullptr;
+    Span span;
+    std::vector<std::string> arguments;
+    std::vector<Note> notes;
+    std::vector<FixIt> fixes;
+
+    /// The rule's pattern with the arguments inserted.
+    [[nodiscard]] std::string message() const;
+};
+
+/// Collects diagnostics in any order and returns them sorted by source, place and code.
+class Diagnostics {
+public:
+    /// The number of findings kept of each severity; later ones are only counted.
+    static constexpr std::size_t max_kept = 200;
+
+    /// Adds a finding. The reference is valid until the next `report`; use it to attach notes and fixes.
+    Diagnostic& report(const Rule& rule, Span span, std::vector<std::string> arguments = {});
+
+    /// Sets the budget of the run, which phases that report here poll. The budget must outlive them.
+    void within(Budget* budget) { budget_ = budget; }
+    [[nodiscard]] Budget* budget() const { return budget_; }
+    /// Must be called in every loop whose length depends on the input. Throws LimitReached.
+    void poll() const {
+        if (budget_ != nullptr) budget_->poll();
+    }
+
+    /// Later warnings with this code are neither kept nor counted; errors always are.
+    void allow(std::string code) { allowed_.insert(std::move(code)); }
+
+    /// Adds the findings of another collection.
+    void add(const Diagnostics& other);
+    /// The findings about these texts, with the same budget and allowed codes.
+    [[nodiscard]] Diagnostics about(const std::set<SourceId>& texts) const;
+    [[nodiscard]] std::vector<Diagnostic> sorted() const;
+    [[nodiscard]] std::size_t errors() const { return errors_; }
+    [[nodiscard]] std::size_t warnings() const { return warnings_; }
+    [[nodiscard]] bool ok() const { return errors_ == 0; }
+    /// True if an error was found in this text.
+    [[nodiscard]] bool has_errors_in(SourceId source) const { return wrong_.contains(source); }
+    [[nodiscard]] bool empty() const { return items_.empty(); }
+    /// The number of findings that were counted but not kept.
+    [[nodiscard]] std::size_t dropped() const { return dropped_; }
+
+private:
+    Budget* budget_ = nullptr;
+    std::vector<Diagnostic> items_;
+    Diagnostic overflow_;
+    std::set<std::string, std::less<>> allowed_;
+    std::set<SourceId> wrong_;
+    std::size_t errors_ = 0;
+    std::size_t warnings_ = 0;
+    std::size_t dropped_ = 0;
+};
+
+}  // namespace robochart::diagnostics

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds files, and reports those that cannot be read. Writes files safely: a file gets an unpredictable name first and
+// is moved to its place when it is complete. Below a given folder, no symbolic link is followed.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/diagnostics/budget.hpp"
+
+namespace robochart::diagnostics {
+
+/// The files of a folder by path, and the subfolders that cannot be read, each with the cause. Names that begin with a
+/// dot are left out, and links to folders are not followed.
+struct FilesBelow {
+    std::vector<std::string> files;
+    std::vector<std::pair<std::string, std::string>> unreadable;
+};
+/// `deep`: includes all subfolders.
+[[nodiscard]] FilesBelow files_below(const std::string& folder, bool deep);
+
+/// All of standard input. If it cannot be read to its end, or is longer than `most` bytes, `error` contains the cause.
+[[nodiscard]] std::string standard_input(std::size_t most, std::string& error);
+
+/// Writes a file below `root`, and creates `root` and the folders in between if they do not exist. An existing file or
+/// link is replaced. `relative` must stay below `root`: an absolute path, "..", or a folder that is a link is rejected.
+/// Returns the cause in words on failure, "" on success.
+[[nodiscard]] std::string write_below(const std::string& root, const std::string& relative, std::string_view text,
+                                      Budget* budget = nullptr);
+/// The same for a complete path given by the user. A link to a file is kept, and the file that it points to is
+/// replaced. The permissions of an existing file are kept, and the new file is on disk before the old one is removed.
+[[nodiscard]] std::string replace_file(const std::string& path, std::string_view text, Budget* budget = nullptr);
+/// True if the name is one that these two functions give to an incomplete file; such a file stays if the run is killed.
+[[nodiscard]] bool is_unfinished(const std::string& name);
+
+/// A temporary folder with an unpredictable name that only this user may access. The destructor removes it.
+class TemporaryFolder {
+public:
+    /// Creates the folder in `parent`, or in the folder for temporary files (TMPDIR) if `parent` is "". On failure,
+    /// `error` contains the cause and `path` is empty.
+    TemporaryFolder(const std::string& parent, std::string& error, Budget* budget = nullptr);
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+private:
+    std::string path_;
+    Budget::Held held_;
+};
+
+/// A file below a folder that is written piece by piece, and moved to its place when it is complete.
+class GrowingFile {
+public:
+    GrowingFile(std::string root, std::string relative, Budget* budget = nullptr);
+    ~GrowingFile();
+    GrowingFile(const GrowingFile&) = delete;
+    GrowingFile& operator=(const GrowingFile&) = delete;
+
+    /// Returns the cause in words on failure, "" on success. After a failure, later calls write no data.
+    [[nodiscard]] std::string append(std::string_view text);
+    /// Moves the file to its place.
+    [[nodiscard]] std::string finish();
+
+private:
+    std::string root_, relative_;
+    Budget* budget_;
+    std::string temporary_;  ///< path of the incomplete file; "": none
+    std::unique_ptr<Budget::Held> held_;
+    std::string error_;
+};
+
+}  // namespace robochart::diagnostics

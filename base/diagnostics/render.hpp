@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws diagnostics: for people (excerpt, caret, notes) and for programs (JSON).
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "base/diagnostics/diagnostic.hpp"
+
+namespace robochart::diagnostics {
+
+/// The appearance of findings as text.
+struct TextStyle {
+    bool color = false;           ///< ANSI colours
+    std::size_t max_width = 160;  ///< longer source lines are cut around the caret
+};
+
+/// One diagnostic with excerpt and caret:
+///   error[J1]: message
+///     --> path:line:column
+///      |
+///    7 |   junction j
+///      |            ^
+///      = note: ...
+[[nodiscard]] std::string render_text(const SourceManager&, const Diagnostic&, const TextStyle& = {});
+/// All findings in sorted order, then a count ("2 errors, 1 warning"); "" if there are none.
+[[nodiscard]] std::string render_text(const SourceManager&, const Diagnostics&, const TextStyle& = {});
+/// {"schema":"robochart-verify/diagnostics/1","diagnostics":[{code,severity,message,file,line,column,endLine,endColumn,notes,fixes}]};
+/// docs/cli.md describes the fields. `limit`: why the check is incomplete; "" if it is complete.
+[[nodiscard]] std::string render_json(const SourceManager&, const Diagnostics&, std::string_view limit = "");
+/// Data of a SARIF log in addition to the findings.
+struct SarifRules {
+    std::string version;                            ///< of the program
+    std::string what;                               ///< verb and input
+    std::function<std::string(const Rule&)> title;  ///< the mistake, as a phrase
+    std::string limit = {};                         ///< why the check is incomplete; "" if it is complete
+};
+/// SARIF 2.1.0: one run with the rules that occur, regions with columns, related places and fixes. Findings without a
+/// place are notifications. If there is a limit, an invocation states it and is marked as unsuccessful.
+[[nodiscard]] std::string render_sarif(const SourceManager&, const Diagnostics&, const SarifRules&);
+
+}  // namespace robochart::diagnostics

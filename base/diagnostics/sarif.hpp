@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The frame and the parts of a SARIF 2.1.0 log of this program.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/diagnostics/json.hpp"
+#include "base/diagnostics/source.hpp"
+
+namespace robochart::diagnostics {
+
+/// A message object.
+[[nodiscard]] Json sarif_text(std::string_view message);
+/// An artifact location. It is relative if the file is below the current folder, because readers of SARIF resolve paths
+/// against the root of the repository.
+[[nodiscard]] Json sarif_file(std::string_view path);
+/// A physical location: a path and a region from `begin` to `end` (exclusive), in code points.
+[[nodiscard]] Json sarif_place(std::string_view path, Position begin, Position end);
+/// A rule: the mistake as a phrase, which also gives the rule its name, and the same in sentences.
+[[nodiscard]] Json sarif_rule(std::string_view id, std::string_view title, std::string_view text,
+                              std::string_view level);
+/// Distinguishes a result from the others of its file, independent of its position: the rule and the subject.
+[[nodiscard]] Json sarif_fingerprint(std::string_view rule, std::string_view subject);
+
+/// One run of the program.
+struct SarifRun {
+    std::string version;
+    std::string what;  ///< verb and input; of two logs with the same, only the later is kept
+    Json rules = Json::array();
+    Json results = Json::array();
+    Json notifications = Json::array();  ///< findings without a place, which are not results
+    std::string limit;                   ///< why the check is incomplete; "" if it is complete
+    Json properties = Json::object();
+};
+/// A finding that is not a result: about the command line, or about a file that cannot be read.
+[[nodiscard]] Json sarif_notification(std::string_view rule, std::string_view level, std::string_view message);
+/// One log with one run, as text.
+[[nodiscard]] std::string sarif_log(const SarifRun&);
+
+}  // namespace robochart::diagnostics

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/repair/repair.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <span>
+#include <tuple>
+
+#include "base/diagnostics/fixes.hpp"
+
+namespace robochart::diagnostics {
+
+namespace {
+
+using IsSyntax = std::function<bool(const Rule&)>;
+
+/// File, code and message of a finding, without its position in the file.
+using Said = std::tuple<std::string, std::string, std::string>;
+
+/// Levels of findings. A lower level can hide findings of a higher one: syntax errors hide other errors, which hide
+/// warnings.
+enum class Level : std::size_t { syntax, error, warning };
+constexpr std::array levels{Level::syntax, Level::error, Level::warning};
+
+Level level_of(const Rule& rule, const IsSyntax& is_syntax) {
+    if (is_syntax(rule)) return Level::syntax;
+    return rule.severity == Severity::error ? Level::error : Level::warning;
+}
+
+/// The findings in a set of texts.
+struct Faults {
+    std::array<std::multiset<Said>, levels.size()> found;
+    std::size_t dropped = 0;
+
+    [[nodiscard]] const std::multiset<Said>& at(Level level) const { return found.at(static_cast<std::size_t>(level)); }
+    [[nodiscard]] std::size_t count() const {
+        std::size_t sum = dropped;
+        for (const auto& each : found) sum += each.size();
+        return sum;
+    }
+};
+
+Faults faults_of(const TextReading& reading, const IsSyntax& is_syntax) {
+    Faults result;
+    for (const Diagnostic& finding : reading.findings.sorted()) {
+        if (finding.rule->severity == Severity::note) continue;
+        const std::string path = finding.span.known() ? reading.sources.path(finding.span.source) : std::string();
+        result.found.at(static_cast<std::size_t>(level_of(*finding.rule, is_syntax)))
+            .emplace(path, std::string(finding.rule->code), finding.message());
+    }
+    result.dropped = reading.findings.dropped();
+    return result;
+}
+
+bool includes(const std::multiset<Said>& all, const std::multiset<Said>& some) {
+    return std::ranges::includes(all, some);
+}
+
+/// A fix in a file, with the finding that it belongs to.
+struct Candidate {
+    std::string path;
+    FixIt fix;
+    RefusedFix otherwise;
+};
+
+/// A text may be registered several times under one path, as a whole and with parts blanked; the first is the whole
+/// file.
+SourceId first_of_path(const SourceManager& sources, SourceId source) {
+    const std::string& path = sources.path(source);
+    for (std::uint32_t i = 0; i < sources.size(); ++i)
+        if (sources.path(SourceId{i}) == path) return SourceId{i};
+    return source;
+}
+
+std::vector<Candidate> candidates(const TextReading& reading, const Texts& texts, Level level,
+                                  const IsSyntax& is_syntax) {
+    Diagnostics wanted;
+    std::set<SourceId> sources;
+    for (Diagnostic finding : reading.findings.sorted()) {
+        if (level_of(*finding.rule, is_syntax) != level || finding.fixes.empty() || !finding.fixes.front().span.known())
+            continue;
+        SourceId& source = finding.fixes.front().span.source;
+        source = first_of_path(reading.sources, source);
+        if (!texts.contains(reading.sources.path(source))) continue;
+        finding.span.source = source;
+        sources.insert(source);
+        wanted.report(*finding.rule, finding.span, finding.arguments) = finding;
+    }
+    std::vector<Candidate> result;
+    for (const SourceId source : sources)
+        for (FixIt& fix : certain_fixes(wanted, source)) {
+            const Span place{source, fix.span.begin, fix.span.end};
+            RefusedFix otherwise{reading.sources.place(place), {}, fix.replacement};
+            for (const Diagnostic& finding : wanted.sorted())
+                if (!finding.fixes.empty() && finding.fixes.front().span == fix.span &&
+                    finding.fixes.front().replacement == fix.replacement)
+                    otherwise.code = finding.rule->code;
+            result.push_back({reading.sources.path(source), std::move(fix), std::move(otherwise)});
+        }
+    return result;
+}
+
+Texts applied(const Texts& texts, const std::vector<Candidate>& all) {
+    std::map<std::string, std::vector<FixIt>> fixes;
+    for (const Candidate& each : all) fixes[each.path].push_back(each.fix);
+    Texts result = texts;
+    for (auto& [path, list] : fixes) {
+        std::ranges::stable_sort(list, {}, [](const FixIt& fix) { return fix.span.begin; });
+        result[path] = apply_fixes(texts.at(path), list);
+    }
+    return result;
+}
+
+/// Applies the fixes of one level, repeatedly while this uncovers further fixes.
+class Repairer {
+public:
+    Repairer(Texts& texts, Level level, const ReadTexts& read, const IsSyntax& is_syntax)
+        : texts_(texts), level_(level), read_(read), is_syntax_(is_syntax) {}
+
+    void run(Repaired& result) {
+        for (bool again = true; again && ++rounds_ <= most_rounds;) {
+            again = round() || with_what_follows();
+            result.made += made_.size();
+            made_.clear();
+        }
+        for (const Candidate& each : refused_) result.refused.push_back(each.otherwise);
+    }
+
+private:
+    static constexpr int most_rounds = 20;
+
+    /// Applies the fixes of the current findings. Returns true if any was applied.
+    bool round() {
+        before_ = texts_;
+        refused_.clear();
+        const std::unique_ptr<TextReading> reading = read_(texts_);
+        now_ = faults_of(*reading, is_syntax_);
+        const std::vector<Candidate> all = candidates(*reading, texts_, level_, is_syntax_);
+        attempt(all);
+        return !made_.empty();
+    }
+
+    void attempt(std::span<const Candidate> group) {
+        if (group.empty()) return;
+        Texts with = texts_with(group);
+        Faults then = faults_of(*read_(with), is_syntax_);
+        if (better(then, group.size())) {
+            made_.insert(made_.end(), group.begin(), group.end());
+            texts_ = std::move(with);
+            now_ = std::move(then);
+        } else if (group.size() == 1) {
+            refused_.push_back(group.front());
+        } else {
+            const std::size_t half = group.size() / 2;
+            attempt(group.first(half));
+            attempt(group.subspan(half));
+        }
+    }
+
+    /// A fix may uncover another mistake that can be fixed. Tries each refused fix together with the fixes that it
+    /// uncovers.
+    bool with_what_follows() {
+        for (const Candidate& first : refused_) {
+            constexpr int most_steps = 4;
+            std::vector<Candidate> done{first};
+            Texts with = texts_with(done);
+            for (int step = 0; step < most_steps; ++step) {
+                const std::unique_ptr<TextReading> reading = read_(with);
+                Faults then = faults_of(*reading, is_syntax_);
+                if (better(then, 1)) {
+                    texts_ = std::move(with);
+                    made_ = std::move(done);
+                    return true;
+                }
+                const std::vector<Candidate> next = candidates(*reading, with, level_, is_syntax_);
+                if (next.empty()) break;
+                with = applied(with, next);
+                done.insert(done.end(), next.begin(), next.end());
+            }
+        }
+        return false;
+    }
+
+    /// The texts at the beginning of the round, with the fixes made in it so far and this group.
+    [[nodiscard]] Texts texts_with(std::span<const Candidate> group) const {
+        std::vector<Candidate> all = made_;
+        all.insert(all.end(), group.begin(), group.end());
+        return applied(before_, all);
+    }
+
+    /// If there are hundreds of findings, not all are kept, so only their numbers are compared.
+    [[nodiscard]] bool better(const Faults& then, std::size_t fixes) const {
+        if (now_.dropped > 0 || then.dropped > 0) return then.count() + fixes <= now_.count();
+        for (const Level level : levels) {
+            if (!includes(now_.at(level), then.at(level))) return false;
+            if (level == level_) break;
+        }
+        return then.at(level_).size() + fixes <= now_.at(level_).size();
+    }
+
+    Texts& texts_;
+    Level level_;
+    const ReadTexts& read_;
+    const IsSyntax& is_syntax_;
+    int rounds_ = 0;
+    Texts before_;
+    Faults now_;
+    std::vector<Candidate> made_;     ///< in this round
+    std::vector<Candidate> refused_;  ///< in this round
+};
+
+}  // namespace
+
+Repaired repair(const Texts& texts, const ReadTexts& read, const IsSyntax& is_syntax) {
+    Repaired result;
+    Texts now = texts;
+    for (const Level level : levels) Repairer(now, level, read, is_syntax).run(result);
+    for (const auto& [path, text] : now)
+        if (texts.at(path) != text) result.texts.emplace(path, text);
+    return result;
+}
+
+}  // namespace robochart::diagnostics

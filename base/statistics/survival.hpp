@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The time until an event if some trials end before the event: Kaplan and Meier, "Nonparametric estimation from
+// incomplete observations", JASA 53, 1958, with bands by Greenwood's variance on the scale log(-log S) (Kalbfleisch and
+// Prentice, The Statistical Analysis of Failure Time Data, 1980). The bands are approximate, and pointwise: each band
+// is valid for its own time only.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/statistics/binomial.hpp"
+
+namespace robochart::statistics {
+
+/// A trial: the time of the event, or the time until which it had not occurred.
+struct Duration {
+    double time = 0;
+    bool came = false;
+};
+
+/// From this time on, the estimated fraction of trials in which the event has not occurred.
+struct SurvivalStep {
+    double time = 0;
+    double share = 1;
+    Interval band;
+};
+
+/// One step for each time at which an event occurred, ascending. `error`: the error of each band.
+[[nodiscard]] std::vector<SurvivalStep> survival(std::vector<Duration>, double error);
+/// The time by which the event has occurred in half of the trials; no value if this was not observed.
+[[nodiscard]] std::optional<double> median(const std::vector<SurvivalStep>&);
+
+}  // namespace robochart::statistics

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Distinguishes copies of one component that run together. It finds the copy to which each sequential component of a
+// run belongs, and the copy that performs an event of the whole process. Machines of different copies have the same
+// name in the model; the copy is appended.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "csp_emit/emit.hpp"
+#include "counterexample/timeline.hpp"
+
+namespace robochart::runs {
+
+class Copies {
+public:
+    /// `meaning` must outlive the object. Without a value, no copies are distinguished.
+    explicit Copies(const std::optional<csp_emit::CopiesMeaning>& meaning) : meaning_(meaning) {}
+
+    /// The copy that performs an event of the whole process, by the event's name there.
+    [[nodiscard]] std::optional<std::uint32_t> of_event(const std::string& name) const;
+    /// The action of the copy, if the component's own events do not show it; no value otherwise.
+    [[nodiscard]] std::optional<std::string> words(const std::string& name) const;
+    /// `of_model`: for each leaf, whether it is in definitions of the model. Every copy has the same number of leaves,
+    /// in the order of the copies.
+    void number(const std::vector<bool>& of_model);
+    /// Called if the leaves cannot be distinguished.
+    void forget() { leaves_.clear(); }
+    [[nodiscard]] std::optional<std::uint32_t> of_leaf(Leaf leaf) const;
+    /// "P::M::c::s of robot 1"; "robot 1" if the event belongs to no component of the copy; unchanged without a copy.
+    [[nodiscard]] std::string named(const std::string& component, std::optional<std::uint32_t> copy) const;
+
+private:
+    const std::optional<csp_emit::CopiesMeaning>& meaning_;
+    std::vector<std::optional<std::uint32_t>> leaves_;
+};
+
+}  // namespace robochart::runs

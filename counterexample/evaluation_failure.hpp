@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Describes an error of evaluation in terms of the model, as the reason why an assertion has no answer. Every verb
+// reports such errors with these functions.
+#pragma once
+
+#include <string>
+
+#include "checker/cspm/session.hpp"
+#include "base/diagnostics/source.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::runs {
+
+/// The error and the element of the model that contains it: "division by zero, in P::S::t1".
+[[nodiscard]] std::string failure(const cspm::EvaluationError&, const ir::System&);
+/// The same after its place: "m.rct:8:62: division by zero, in P::S::t1".
+[[nodiscard]] std::string placed_failure(const cspm::EvaluationError&, const ir::System&,
+                                         const diagnostics::SourceManager&);
+
+}  // namespace robochart::runs

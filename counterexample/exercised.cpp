@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// See exercised.hpp.
+#include "counterexample/exercised.hpp"
+
+#include <deque>
+#include <tuple>
+#include <utility>
+
+namespace robochart::runs {
+namespace {
+
+using process::TermId;
+using process::Transition;
+
+class Search {
+public:
+    explicit Search(StepReader& reader) : reader_(reader) {}
+
+    Exercised run(TermId process, std::uint64_t most, const std::function<void()>& poll);
+
+private:
+    void meet(TermId term) {
+        if (seen_.insert(term).second) waiting_.push_back(term);
+    }
+    void note(TermId term, const Transition& step);
+    void note(const ComponentStep& step);
+
+    StepReader& reader_;
+    Exercised result_;
+    std::set<TermId> seen_;
+    std::deque<TermId> waiting_;
+    /// The component steps seen so far, because a component performs the same step in many states of the whole process.
+    std::set<std::tuple<TermId, process::Event, TermId>> noted_;
+};
+
+void Search::note(const ComponentStep& step) {
+    const std::set<std::string> elements = reader_.elements(step);
+    if (elements.size() == 1) result_.certain.insert(*elements.begin());
+    result_.possible.insert(elements.begin(), elements.end());
+}
+
+void Search::note(TermId term, const Transition& step) {
+    for (const process::Move& move : reader_.context().session.moves(term, step)) {
+        const process::Event event = move.step.event == process::tau ? move.step.revealed : move.step.event;
+        if (noted_.insert({move.part, event, move.step.target}).second) note(reader_.component_step(move));
+    }
+}
+
+Exercised Search::run(TermId process, std::uint64_t most, const std::function<void()>& poll) {
+    for (meet(process); !waiting_.empty(); waiting_.pop_front()) {
+        if (result_.states == most) {
+            result_.all = false;
+            break;
+        }
+        ++result_.states;
+        poll();
+        const TermId term = waiting_.front();
+        for (const Transition& step : reader_.context().session.transitions(term)) {
+            note(term, step);
+            meet(step.target);
+        }
+    }
+    return std::move(result_);
+}
+
+}  // namespace
+
+Exercised exercised(StepReader& reader, TermId process, std::uint64_t most, const std::function<void()>& poll) {
+    return Search(reader).run(process, most, poll);
+}
+
+}  // namespace robochart::runs

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds the elements of the model that the reachable states of a process exercise: transitions that fire and statements
+// that are executed. It searches the states of the operational semantics breadth-first; the steps show what each
+// component does.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <string>
+
+#include "checker/process/term.hpp"
+#include "counterexample/step_reader.hpp"
+
+namespace robochart::runs {
+
+/// The results of a search.
+struct Exercised {
+    /// Elements (see element_in) that may cause a step. If a step has several candidates, all of them are included. An
+    /// element that is missing here causes no step.
+    std::set<std::string> possible;
+    /// Those of them that are the only candidate of some step.
+    std::set<std::string> certain;
+    std::uint64_t states = 0;  ///< number of explored states
+    bool all = true;           ///< every reachable state was explored
+};
+
+/// Explores at most `most` states. `poll` is called for each state and may throw. Throws like
+/// cspm::Session::transitions.
+[[nodiscard]] Exercised exercised(StepReader&, process::TermId process, std::uint64_t most,
+                                  const std::function<void()>& poll);
+
+}  // namespace robochart::runs

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// The states that stepping by hand can reach, breadth-first and up to a limit, as data for a page that steps without
+// the checker. Offers, machines and absences are those of Stepper. This file contains the types and the function that
+// computes them.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics/budget.hpp"
+#include "counterexample/stepper.hpp"
+
+namespace robochart::runs {
+
+/// Part of the state space of a process. Data that states share is stored once and referred to by index.
+struct Exploration {
+    /// An offer without the states that it connects.
+    struct Label {
+        Happening happening;
+        std::string name;  ///< as in Offer
+        bool hidden = false;
+
+        friend auto operator<=>(const Label&, const Label&) = default;
+    };
+    struct Transition {
+        std::size_t label = 0;
+        std::optional<std::size_t> target;  ///< no value: the state after it was not explored
+    };
+    /// A part of the structure of a process: an operator with its operands, or a component.
+    struct Part {
+        std::string text;                ///< part_text() of structure.hpp
+        std::string offers;              ///< for a component: offers_text()
+        std::vector<std::size_t> parts;  ///< operands of an operator
+
+        friend auto operator<=>(const Part&, const Part&) = default;
+    };
+    struct State {
+        std::vector<std::size_t> machines;  ///< indices of the machines in this state
+        std::string process;                ///< the text of the process, if there is no machine
+        std::vector<Transition> offers;     ///< all offers, in the order of Stepper::offers
+        std::vector<std::size_t> absences;
+        std::optional<std::size_t> structure;  ///< index of the root; no value if it cannot be evaluated
+        std::string error;                     ///< why its definitions cannot be evaluated; it then has no offers
+    };
+
+    std::vector<State> states;  ///< the first is the initial one
+    std::vector<Label> labels;
+    std::vector<Machine> machines;
+    std::vector<Absence> absences;
+    std::vector<Part> parts;
+    std::size_t left_out = 0;  ///< states that were found but not explored
+    std::string limit;         ///< the limit that ended the exploration; "" if none did
+};
+
+/// The limits of an exploration.
+struct ExplorationLimits {
+    std::size_t states = 5000;
+    std::size_t transitions = 200'000;
+};
+
+/// The part of a process that can be reached from a state. Polls the budget; if its limit is reached, the result
+/// contains what was explored until then.
+[[nodiscard]] Exploration explore(StepReader&, process::TermId initial, const ExplorationLimits&, diagnostics::Budget&);
+
+}  // namespace robochart::runs

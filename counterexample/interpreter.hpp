@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Converts a counterexample of the checker to a run in terms of the model. The meaning of a step is what each
+// sequential component does in it, by the component's own name of the event. So renaming, hiding and priority around a
+// component (in a check, a composition or a CSP block) do not affect the meaning.
+#pragma once
+
+#include "csp_emit/emit.hpp"
+#include "counterexample/run.hpp"
+#include "counterexample/step_reader.hpp"
+
+namespace robochart::runs {
+
+/// The run of a counterexample to one of the obligation's assertions, with the violation at its end.
+[[nodiscard]] Run interpret(const Context&, const csp_emit::Obligation&, const refine::Counterexample&);
+
+}  // namespace robochart::runs

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+// Empty values are omitted, except for lists that readers always iterate over.
+#include "counterexample/json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace robochart::runs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* word(Kind kind) {
+    switch (kind) {
+        case Kind::transition:
+            return "transition";
+        case Kind::input:
+            return "input";
+        case Kind::output:
+            return "output";
+        case Kind::call:
+            return "call";
+        case Kind::assignment:
+            return "assignment";
+        case Kind::external_write:
+            return "externalWrite";
+        case Kind::entered:
+            return "entered";
+        case Kind::exited:
+            return "exited";
+        case Kind::tock:
+            return "tock";
+        case Kind::terminate:
+            return "terminate";
+        case Kind::refusal:
+            return "refusal";
+        case Kind::internal:
+            return "internal";
+        case Kind::event:
+            return "event";
+    }
+    return "";
+}
+
+const char* word(VariableKind kind) {
+    switch (kind) {
+        case VariableKind::variable:
+            return "variable";
+        case VariableKind::clock:
+            return "clock";
+        case VariableKind::constant:
+            return "constant";
+        case VariableKind::countdown:
+            return "countdown";
+        case VariableKind::temporary:
+            return "temporary";
+    }
+    return "";
+}
+
+const char* word(EndKind kind) {
+    switch (kind) {
+        case EndKind::forbidden:
+            return "forbidden";
+        case EndKind::refusal:
+            return "refusal";
+        case EndKind::divergence:
+            return "divergence";
+        case EndKind::deadlock:
+            return "deadlock";
+        case EndKind::nondeterminism:
+            return "nondeterminism";
+        case EndKind::reached:
+            return "reached";
+        case EndKind::terminated:
+            return "terminated";
+        case EndKind::timelock:
+            return "timelock";
+        case EndKind::clock_not_initialised:
+            return "clockNotInitialised";
+        case EndKind::clock_initialised:
+            return "clockInitialised";
+        case EndKind::missed:
+            return "missed";
+        case EndKind::no_return:
+            return "noReturn";
+        case EndKind::no_trace:
+            return "noTrace";
+    }
+    return "";
+}
+
+void add_place(Json& json, const std::optional<Place>& place) {
+    if (!place) return;
+    json["file"] = place->file;
+    json["line"] = place->line;
+    json["column"] = place->column;
+    json["endLine"] = place->end_line;
+    json["endColumn"] = place->end_column;
+}
+
+void add_text(Json& json, const char* key, const std::string& text) {
+    if (!text.empty()) json[key] = text;
+}
+
+template <class Item, class Write>
+Json array(const std::vector<Item>& items, const Write& write) {
+    Json list = Json::array();
+    for (const Item& item : items) list.push_back(write(item));
+    return list;
+}
+
+Json value(const Value& value) {
+    Json json{{"value", value.text}};
+    add_text(json, "type", value.type);
+    return json;
+}
+
+void add_event(Json& json, const Event& event) {
+    json["kind"] = word(event.kind);
+    json["text"] = event.text;
+    add_text(json, "component", event.component);
+    add_text(json, "element", event.element);
+    add_text(json, "via", event.via);
+    add_place(json, event.place);
+    if (!event.values.empty()) json["values"] = array(event.values, value);
+}
+
+Json event(const Event& event) {
+    Json json;
+    add_event(json, event);
+    return json;
+}
+
+Json events(const std::vector<Event>& list) {
+    return array(list, event);
+}
+
+Json variable(const Variable& variable) {
+    Json json{{"name", variable.name}, {"kind", word(variable.kind)}};
+    add_text(json, "type", variable.type);
+    json["value"] = variable.value ? Json(*variable.value) : Json(nullptr);
+    add_text(json, "deadline", variable.deadline);
+    return json;
+}
+
+Json machine(const Machine& machine) {
+    Json json{{"component", machine.component},
+              {"machine", machine.machine},
+              {"text", machine.text},
+              {"active", machine.active}};
+    json["variables"] = array(machine.variables, variable);
+    add_place(json, machine.place);
+    return json;
+}
+
+Json change(const Change& change) {
+    Json json{{"component", change.component}, {"name", change.name}};
+    json["before"] = change.before ? Json(*change.before) : Json(nullptr);
+    json["after"] = change.after;
+    return json;
+}
+
+Json step(const Step& step, std::size_t number) {
+    Json json{{"n", number}};
+    if (step.time) json["time"] = *step.time;
+    if (step.units > 0) json["units"] = step.units;
+    add_event(json, step.event);
+    json["hidden"] = step.hidden;
+    json["raw"] = step.raw;
+    json["rawCount"] = step.count;
+    if (!step.with.empty()) json["with"] = events(step.with);
+    json["changes"] = array(step.changes, change);
+    json["machines"] = array(step.machines, machine);
+    json["offered"] = events(step.offered);
+    if (step.more_offered > 0) json["moreOffered"] = step.more_offered;
+    return json;
+}
+
+Json cause(const Cause& cause) {
+    Json json{{"text", cause.text}};
+    add_text(json, "component", cause.component);
+    add_place(json, cause.place);
+    return json;
+}
+
+Json end(const End& end) {
+    Json json{{"kind", word(end.kind)}, {"why", end.why}};
+    if (end.event) json["event"] = event(*end.event);
+    json["offered"] = events(end.offered);
+    if (end.kind == EndKind::forbidden || !end.allowed.empty()) json["allowed"] = events(end.allowed);
+    if (!end.required.empty()) json["required"] = array(end.required, events);
+    if (!end.refused.empty()) json["refused"] = events(end.refused);
+    if (!end.causes.empty()) json["causes"] = array(end.causes, cause);
+    return json;
+}
+
+}  // namespace
+
+Json json(const Run& run) {
+    Json json{{"schema", "robochart-verify/run/1"}, {"timed", run.timed}};
+    if (run.timed) json["time"] = run.time;
+    json["initial"] = array(run.initial, machine);
+    json["steps"] = Json::array();
+    for (std::size_t i = 0; i < run.steps.size(); ++i) json["steps"].push_back(step(run.steps[i], i + 1));
+    json["loopStart"] = run.loop_start ? Json(*run.loop_start + 1) : Json(nullptr);
+    json["end"] = end(run.end);
+    return json;
+}
+
+}  // namespace robochart::runs

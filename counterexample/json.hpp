@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs as JSON: schema "robochart-verify/run/1" (docs/cli.md).
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "counterexample/run.hpp"
+
+namespace robochart::runs {
+
+[[nodiscard]] nlohmann::ordered_json json(const Run&);
+
+}  // namespace robochart::runs

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: Apache-2.0
+// csp_emit::Provenance, which is made together with the script, records the meaning of the names.
+#include "counterexample/meanings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "counterexample/values.hpp"
+
+namespace robochart::runs {
+namespace {
+
+using csp_emit::DefinitionMeaning;
+using csp_emit::EventMeaning;
+using csp_emit::MeaningKind;
+using csp_emit::OfferMeaning;
+using csp_emit::ParameterKind;
+
+Kind kind_of(MeaningKind kind) {
+    switch (kind) {
+        case MeaningKind::transition:
+            return Kind::transition;
+        case MeaningKind::trigger:
+            return Kind::input;
+        case MeaningKind::output:
+            return Kind::output;
+        case MeaningKind::call:
+            return Kind::call;
+        case MeaningKind::entered:
+            return Kind::entered;
+        case MeaningKind::exited:
+            return Kind::exited;
+        case MeaningKind::assignment:
+            return Kind::assignment;
+        case MeaningKind::external_write:
+            return Kind::external_write;
+        case MeaningKind::terminate:
+            return Kind::terminate;
+        case MeaningKind::tock:
+            return Kind::tock;
+        case MeaningKind::refusal:
+            return Kind::refusal;
+        case MeaningKind::step:
+        case MeaningKind::memory:
+            break;
+    }
+    return Kind::internal;
+}
+
+VariableKind kind_of(ParameterKind kind) {
+    switch (kind) {
+        case ParameterKind::variable:
+            return VariableKind::variable;
+        case ParameterKind::clock:
+            return VariableKind::clock;
+        case ParameterKind::constant:
+            return VariableKind::constant;
+        case ParameterKind::countdown:
+            return VariableKind::countdown;
+        case ParameterKind::temporary:
+            break;
+    }
+    return VariableKind::temporary;
+}
+
+std::string with_values(const EventMeaning& event, const std::vector<Value>& values) {
+    if (values.empty()) return event.text;
+    std::vector<std::string> shown;
+    for (const Value& value : values) shown.push_back(value.text);
+    const std::string joined = fmt::format("{}", fmt::join(shown, ", "));
+    switch (event.kind) {
+        case MeaningKind::assignment:
+        case MeaningKind::external_write:
+            return fmt::format("{} = {}", event.text, joined);
+        case MeaningKind::call:
+            return fmt::format("{}({})", event.text, joined);
+        default:
+            return fmt::format("{} with {}", event.text, joined);
+    }
+}
+
+/// True if the parameter is no longer read, so that the evaluator stores no value for it.
+bool unread(const std::string& value) {
+    return value == "_" || value == "'_'";
+}
+
+/// The text, states and values that all alternatives have in common.
+Call common(const std::vector<Call>& alternatives) {
+    Call result = alternatives.front();
+    if (alternatives.size() == 1) return result;
+    auto merged = std::make_shared<DefinitionMeaning>(*result.definition);
+    std::vector<std::string> texts;
+    for (const Call& each : alternatives) {
+        if (std::ranges::find(texts, each.definition->text) == texts.end()) texts.push_back(each.definition->text);
+        const auto& others = each.definition->active;
+        std::erase_if(merged->active, [&](const ir::Origin& state) {
+            return std::ranges::none_of(others,
+                                        [&](const ir::Origin& other) { return other.element == state.element; });
+        });
+        for (std::size_t i = 0; i < merged->parameters.size() && i < result.arguments.size(); ++i) {
+            const auto& names = each.definition->parameters;
+            const auto same = static_cast<std::size_t>(std::ranges::find(names, merged->parameters[i]) - names.begin());
+            const bool equal = same < each.arguments.size() && each.arguments[same] == result.arguments[i];
+            if (!equal) merged->parameters[i].clear();
+        }
+    }
+    std::erase_if(merged->remembered, [&](const std::string& name) {
+        return std::ranges::any_of(alternatives, [&](const Call& each) {
+            const auto& others = each.definition->remembered;
+            return std::ranges::find(others, name) == others.end();
+        });
+    });
+    merged->text = fmt::format("{}", fmt::join(texts, " or "));
+    merged->offers.clear();
+    result.definition = std::move(merged);
+    return result;
+}
+
+/// True if a part of `text`, possibly after an operation's name, is `words` followed by its details.
+bool has_part(const std::string& text, const std::string& words) {
+    for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
+        const std::string_view before(text.data(), at);
+        const std::size_t end = at + words.size();
+        const bool begins = before.empty() || before.ends_with(": ") || before.ends_with(" or ");
+        if (begins && (end == text.size() || text[end] == ',' || text[end] == ' ')) return true;
+    }
+    return false;
+}
+
+/// True if a definition with this text is inside the transition.
+bool is_in_transition(const std::string& text, const std::string& name) {
+    return has_part(text, "transition " + name) || has_part(text, "action of " + name);
+}
+
+/// True if this transition or statement may have led the process to this definition.
+bool leads_to(const OfferMeaning& offer, const std::vector<Call>& after) {
+    if (offer.target.empty()) return true;
+    return std::ranges::any_of(after, [&](const Call& call) {
+        const auto& active = call.definition->active;
+        const bool there =
+            std::ranges::any_of(active, [&](const ir::Origin& state) { return state.element == offer.target; });
+        return there || is_in_transition(call.definition->text, offer.name);
+    });
+}
+
+}  // namespace
+
+const EventMeaning* Meanings::meaning(const std::string& name, std::string& arguments) const {
+    std::string prefix = name;
+    while (true) {
+        if (const auto found = provenance_.events.find(prefix); found != provenance_.events.end()) {
+            arguments = name.substr(std::min(name.size(), prefix.size() + 1));
+            return &found->second;
+        }
+        const auto dot = prefix.rfind('.');
+        if (dot == std::string::npos) return nullptr;
+        prefix.resize(dot);
+    }
+}
+
+bool Meanings::knows(const std::string& name) const {
+    std::string arguments;
+    return meaning(name, arguments) != nullptr;
+}
+
+bool Meanings::is_memory(const std::string& name) const {
+    std::string arguments;
+    const EventMeaning* found = meaning(name, arguments);
+    return found != nullptr && found->kind == MeaningKind::memory;
+}
+
+Event Meanings::event(const std::string& name) const {
+    Event result;
+    std::string arguments;
+    const EventMeaning* found = meaning(name, arguments);
+    if (found == nullptr) {
+        result.kind = name == "✓" ? Kind::terminate : name == "τ" ? Kind::internal : Kind::event;
+        result.text = name == "✓" ? "termination" : name == "τ" ? "an internal step" : name;
+        return result;
+    }
+    result.kind = kind_of(found->kind);
+    result.component = found->component;
+    result.element = found->origin.element;
+    result.place = place(found->origin.span);
+    if (found->kind == MeaningKind::refusal) {
+        const Event refused = event(arguments);
+        result.text = found->text + " " + (refused.kind == Kind::tock ? "the passing of time" : refused.text);
+        result.component = refused.component;
+        result.element = refused.element;
+        result.values = refused.values;
+        result.place = refused.place;
+        return result;
+    }
+    result.values = values_of_event(system_, instantiation_, found->types, arguments);
+    result.text = with_values(*found, result.values);
+    return result;
+}
+
+Meanings::Offers Meanings::possible(const std::string& name, const Call& before, const std::vector<Call>& after) {
+    const std::string owner = before.definition->component + "::";
+    if (!name.starts_with(owner)) return {};
+    const std::string relative = name.substr(owner.size());
+    Offers offers;
+    for (const auto& offer : before.definition->offers)
+        if (relative == offer->event || relative.starts_with(offer->event + ".")) offers.push_back(offer.get());
+    if (offers.size() > 1)
+        std::erase_if(offers, [&](const csp_emit::OfferMeaning* offer) { return !leads_to(*offer, after); });
+    return offers;
+}
+
+Event Meanings::event(const std::string& name, const Call& before, const std::vector<Call>& after) const {
+    Event result = event(name);
+    const Offers offers = possible(name, before, after);
+    if (offers.size() != 1) return result;
+    result.via = offers.front()->text;
+    result.element = offers.front()->origin.element;
+    if (const auto at = place(offers.front()->origin.span)) result.place = at;
+    return result;
+}
+
+std::vector<std::string> Meanings::elements(const std::string& name, const Call& before,
+                                            const std::vector<Call>& after) const {
+    std::vector<std::string> result;
+    for (const csp_emit::OfferMeaning* offer : possible(name, before, after)) result.push_back(offer->origin.element);
+    if (const Event whole = event(name); result.empty() && !whole.element.empty()) result.push_back(whole.element);
+    return result;
+}
+
+std::optional<Call> Meanings::call(std::string_view text) const {
+    const auto bracket = text.find('(');
+    const auto found = provenance_.definitions.find(std::string(text.substr(0, bracket)));
+    if (found == provenance_.definitions.end()) return std::nullopt;
+    // A pointer without ownership: the provenance outlives the result.
+    Call known{{std::shared_ptr<void>(), &found->second}, {}};
+    if (bracket != std::string_view::npos && text.back() == ')')
+        for (const std::string& argument : split(text.substr(bracket + 1, text.size() - bracket - 2), ","))
+            known.arguments.emplace_back(trim(argument));
+    return known;
+}
+
+std::vector<Call> Meanings::calls(const std::string& description) const {
+    std::vector<Call> result;
+    for (const std::string& part : split(description, "‖")) {
+        std::string_view text = trim(part);
+        const bool grouped = text.size() > 1 && text.front() == '(' && text.back() == ')';
+        if (grouped) text = text.substr(1, text.size() - 2);
+        std::vector<Call> alternatives;
+        for (const std::string& each : split(text, "⊓"))
+            if (auto known = call(trim(each))) alternatives.push_back(std::move(*known));
+        if (!alternatives.empty()) result.push_back(common(alternatives));
+    }
+    return result;
+}
+
+std::vector<Variable> Meanings::variables(const Call& call) const {
+    const DefinitionMeaning& definition = *call.definition;
+    std::vector<Variable> result;
+    for (std::size_t i = 0; i < call.arguments.size() && i < definition.parameters.size(); ++i) {
+        if (definition.parameters[i].empty()) continue;
+        Variable variable;
+        variable.name = definition.parameters[i];
+        if (i < definition.kinds.size()) variable.kind = kind_of(definition.kinds[i]);
+        const ir::TypeId type = i < definition.types.size() ? definition.types[i] : ir::TypeId{};
+        if (type.valid()) variable.type = system_.type(type).name;
+        if (!unread(call.arguments[i])) variable.value = value_text(system_, instantiation_, type, call.arguments[i]);
+        if (i < definition.deadlines.size() && definition.deadlines[i].span.known()) {
+            variable.deadline = definition.deadlines[i].element;
+            variable.place = place(definition.deadlines[i].span);
+        }
+        result.push_back(std::move(variable));
+    }
+    return result;
+}
+
+Machine Meanings::machine(const Call& call) const {
+    const DefinitionMeaning& definition = *call.definition;
+    Machine result;
+    result.component = definition.component;
+    result.machine = definition.machine;
+    result.text = definition.text;
+    for (const ir::Origin& state : definition.active) result.active.push_back(state.element);
+    result.variables = variables(call);
+    result.place = place(definition.origin.span);
+    return result;
+}
+
+std::optional<Place> Meanings::place(diagnostics::Span span) const {
+    if (!span.known()) return std::nullopt;
+    const auto begin = sources_.position(span.source, span.begin);
+    const auto end = sources_.position(span.source, span.end);
+    return Place{sources_.path(span.source), begin.line, begin.column, end.line, end.column};
+}
+
+}  // namespace robochart::runs

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Translates names of the script to terms of the model: events, and the definitions that a process is in.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "csp_emit/emit.hpp"
+#include "base/diagnostics/source.hpp"
+#include "counterexample/run.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::runs {
+
+/// A definition with its arguments, from the checker's description of a process: "P::S::A__(0,1)". Before an internal
+/// choice between several definitions, it contains what they have in common.
+struct Call {
+    std::shared_ptr<const csp_emit::DefinitionMeaning> definition;
+    std::vector<std::string> arguments;
+};
+
+class Meanings {
+public:
+    Meanings(const csp_emit::Provenance& provenance, const ir::System& system, const ir::Instantiation& instantiation,
+             const diagnostics::SourceManager& sources)
+        : provenance_(provenance), system_(system), instantiation_(instantiation), sources_(sources) {}
+
+    /// True if the provenance contains the event.
+    [[nodiscard]] bool knows(const std::string& name) const;
+    /// True if the event is between a machine and the process that stores one of its variables.
+    [[nodiscard]] bool is_memory(const std::string& name) const;
+    /// The event with this full name. An unknown event keeps its name and has Kind::event.
+    [[nodiscard]] Event event(const std::string& name) const;
+    /// The same for an event performed in this definition; the transition or statement is added if only one is
+    /// possible.
+    [[nodiscard]] Event event(const std::string& name, const Call& before, const std::vector<Call>& after) const;
+    /// The candidates (transitions and statements) for the cause of the event; more than one if the definitions do not
+    /// determine it.
+    [[nodiscard]] std::vector<std::string> elements(const std::string& name, const Call& before,
+                                                    const std::vector<Call>& after) const;
+    /// The known definitions in the description of a process.
+    [[nodiscard]] std::vector<Call> calls(const std::string& description) const;
+    /// The machine of this definition.
+    [[nodiscard]] Machine machine(const Call&) const;
+    [[nodiscard]] std::vector<Variable> variables(const Call&) const;
+    [[nodiscard]] std::optional<Place> place(diagnostics::Span) const;
+
+private:
+    [[nodiscard]] const csp_emit::EventMeaning* meaning(const std::string& name, std::string& arguments) const;
+    [[nodiscard]] std::optional<Call> call(std::string_view text) const;
+    using Offers = std::vector<const csp_emit::OfferMeaning*>;
+    /// The transitions and statements that may cause the event.
+    [[nodiscard]] static Offers possible(const std::string& name, const Call& before, const std::vector<Call>& after);
+
+    const csp_emit::Provenance& provenance_;
+    const ir::System& system_;
+    const ir::Instantiation& instantiation_;
+    const diagnostics::SourceManager& sources_;
+};
+
+}  // namespace robochart::runs

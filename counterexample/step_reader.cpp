@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// See step_reader.hpp.
+#include "counterexample/step_reader.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace robochart::runs {
+
+using process::TermId;
+
+namespace {
+
+constexpr std::size_t most_unfoldings = 20;
+
+/// A value that the machine itself has is at least as recent as that of the memory. The memory's value is used only if
+/// it is still read.
+void add_remembered(const csp_emit::DefinitionMeaning& owner, Variable variable, Machine& machine) {
+    const auto& read = owner.remembered;
+    const auto known =
+        std::ranges::find_if(machine.variables, [&](const Variable& each) { return each.name == variable.name; });
+    if (known == machine.variables.end() && std::ranges::find(read, variable.name) != read.end())
+        machine.variables.push_back(std::move(variable));
+}
+
+}  // namespace
+
+std::string element_in(const std::string& component, const std::string& element) {
+    return component + " " + element;
+}
+
+bool same(const Event& one, const Event& other) {
+    return one.kind == other.kind && one.component == other.component && one.text == other.text &&
+           one.element == other.element;
+}
+
+bool among(const std::vector<Event>& events, const Event& event) {
+    return std::ranges::any_of(events, [&](const Event& each) { return same(each, event); });
+}
+
+const std::vector<Call>& StepReader::calls_of(TermId term) {
+    const auto [found, added] = calls_.try_emplace(term);
+    if (!added) return found->second;
+    process::TermStore& terms = context_.session.terms();
+    for (std::size_t i = 0; i < most_unfoldings; ++i) {
+        found->second = meanings_.calls(process::describe(terms, term));
+        const TermId next = found->second.empty() ? terms.unfolded(term, 1) : term;
+        if (next == term) break;
+        term = next;
+    }
+    return found->second;
+}
+
+std::vector<Machine> StepReader::machines_of(const std::vector<std::vector<Call>>& components) const {
+    std::vector<Machine> result;
+    std::vector<const Call*> owners;
+    std::vector<const Call*> memories;
+    for (const std::vector<Call>& component : components)
+        for (const Call& call : component) {
+            (call.definition->memory ? memories : owners).push_back(&call);
+            if (!call.definition->memory) result.push_back(meanings_.machine(call));
+        }
+    for (const Call* memory : memories)
+        for (std::size_t i = 0; i < owners.size(); ++i)
+            if (owners[i]->definition->component == memory->definition->component) {
+                for (Variable& variable : meanings_.variables(*memory))
+                    add_remembered(*owners[i]->definition, std::move(variable), result[i]);
+                break;
+            }
+    return result;
+}
+
+Happening StepReader::happens(const std::vector<ComponentStep>& steps, const std::string& whole) const {
+    struct Candidate {
+        Event event;
+        bool known, machine;
+    };
+    std::vector<Candidate> candidates;
+    for (const ComponentStep& move : steps) {
+        const bool machine = !move.before.empty() && !move.before.front().definition->memory;
+        const bool known = meanings_.knows(move.name);
+        candidates.push_back(
+            {machine ? meanings_.event(move.name, move.before.front(), move.after) : meanings_.event(move.name), known,
+             machine});
+    }
+    const auto rank = [](const Candidate& each) {
+        const bool acts = each.event.kind != Kind::input && each.event.kind != Kind::external_write;
+        return std::tuple(!each.known, !each.machine, !acts);
+    };
+    std::ranges::stable_sort(candidates,
+                             [&](const Candidate& one, const Candidate& other) { return rank(one) < rank(other); });
+    const auto tock =
+        std::ranges::find_if(candidates, [](const Candidate& each) { return each.event.kind == Kind::tock; });
+    if (tock != candidates.end()) return {tock->event, {}};
+    if (candidates.empty() || (!candidates.front().known && meanings_.knows(whole)))
+        return {meanings_.event(whole), {}};
+    std::vector<Event> with;
+    for (std::size_t i = 1; i < candidates.size(); ++i) {
+        const Candidate& each = candidates[i];
+        const bool other = each.known && each.machine && each.event.component != candidates.front().event.component;
+        if (other && !among(with, each.event)) with.push_back(each.event);
+    }
+    return {candidates.front().event, with};
+}
+
+ComponentStep StepReader::component_step(const process::Move& move) {
+    return {name_of(move.step.event, move.step.revealed), calls_of(move.part),
+            meanings_.calls(process::describe(context_.session.terms(), move.step.target))};
+}
+
+std::set<std::string> StepReader::elements(const ComponentStep& step) const {
+    std::set<std::string> result;
+    for (const Call& before : step.before) {
+        if (before.definition->memory) continue;
+        for (const std::string& each : meanings_.elements(step.name, before, step.after))
+            result.insert(element_in(before.definition->component, each));
+    }
+    return result;
+}
+
+std::vector<ComponentStep> StepReader::taken_apart(TermId whole, const process::Transition& step) {
+    std::vector<ComponentStep> steps;
+    for (const process::Move& each : context_.session.moves(whole, step)) steps.push_back(component_step(each));
+    return steps;
+}
+
+Happening StepReader::happens(TermId whole, const process::Transition& step) {
+    return happens(taken_apart(whole, step), name_of(step.event, step.revealed));
+}
+
+}  // namespace robochart::runs

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Describes the steps of processes in terms of the model. The meaning of a step is what each sequential component does
+// in it, by the component's own name of the event. Counterexamples, the search for transitions that never fire, and
+// stepping by hand use it.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "checker/cspm/session.hpp"
+#include "csp_emit/emit.hpp"
+#include "base/diagnostics/source.hpp"
+#include "counterexample/meanings.hpp"
+#include "counterexample/run.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::runs {
+
+/// The data that a reader needs; all of it must outlive the reader.
+struct Context {
+    const csp_emit::Provenance& provenance;
+    const ir::System& system;
+    const ir::Instantiation& instantiation;
+    const diagnostics::SourceManager& sources;
+    cspm::Session& session;
+};
+
+/// The step of one sequential component.
+struct ComponentStep {
+    std::string name;  ///< of the event in the component; for an event that the component hides, the hidden event
+    std::vector<Call> before;  ///< the definitions before the step
+    std::vector<Call> after;
+};
+
+/// The text for an element of the resolved model in an instance of its machine: "P::M::c::s P::S::t1".
+[[nodiscard]] std::string element_in(const std::string& component, const std::string& element);
+
+/// What happens in a step: for the machine that it is reported for, and for the others that take part.
+struct Happening {
+    Event event;
+    std::vector<Event> with;
+
+    friend auto operator<=>(const Happening&, const Happening&) = default;
+};
+
+/// True if both events are the same in terms of the model.
+[[nodiscard]] bool same(const Event& one, const Event& other);
+[[nodiscard]] bool among(const std::vector<Event>& events, const Event& event);
+
+class StepReader {
+public:
+    explicit StepReader(const Context& context)
+        : context_(context), meanings_(context.provenance, context.system, context.instantiation, context.sources) {}
+
+    [[nodiscard]] const Context& context() const { return context_; }
+    [[nodiscard]] const Meanings& meanings() const { return meanings_; }
+    [[nodiscard]] const std::string& name(process::Event event) const {
+        return context_.session.event_table().name(event);
+    }
+    /// For tau, the name of the hidden event.
+    [[nodiscard]] const std::string& name_of(process::Event event, process::Event revealed) const {
+        return name(event == process::tau ? revealed : event);
+    }
+
+    /// The known definitions that a term is in. A term that stands for a definition is unfolded.
+    const std::vector<Call>& calls_of(process::TermId term);
+    /// The machines in these definitions, one list per component. Components with the same name are one machine,
+    /// because a variable may be stored in a separate process.
+    [[nodiscard]] std::vector<Machine> machines_of(const std::vector<std::vector<Call>>& components) const;
+    /// The machines of a whole process.
+    [[nodiscard]] std::vector<Machine> machines_at(process::TermId whole) { return machines_of({calls_of(whole)}); }
+
+    /// The step of one component.
+    [[nodiscard]] ComponentStep component_step(const process::Move& move);
+    /// The candidates (see element_in) for the cause of the step; more than one if the step does not determine it.
+    [[nodiscard]] std::set<std::string> elements(const ComponentStep& step) const;
+    /// The step of each component in a step of a process.
+    [[nodiscard]] std::vector<ComponentStep> taken_apart(process::TermId whole, const process::Transition& step);
+    /// Selects the component, of several that move together, for which a step is reported: a machine before
+    /// connections, and the acting component before the others. `whole`: the name of the event for the whole process.
+    [[nodiscard]] Happening happens(const std::vector<ComponentStep>& steps, const std::string& whole) const;
+    /// The same for a step of a process.
+    [[nodiscard]] Happening happens(process::TermId whole, const process::Transition& step);
+
+private:
+    const Context& context_;
+    Meanings meanings_;
+    std::map<process::TermId, std::vector<Call>> calls_;
+};
+
+}  // namespace robochart::runs

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// See stepper.hpp.
+#include "counterexample/stepper.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "counterexample/interpreter.hpp"
+#include "counterexample/structure.hpp"
+#include "counterexample/timeline.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::runs {
+
+std::int64_t Stepper::time() const {
+    return std::ranges::count_if(way_, [](const Taken& each) { return each.offer.happening.event.kind == Kind::tock; });
+}
+
+std::vector<Offer> Stepper::offers_at(process::TermId state) const {
+    std::vector<Offer> found;
+    for (const process::Transition& step : reader_.context().session.transitions(state))
+        found.push_back({step, reader_.happens(state, step), reader_.name_of(step.event, step.revealed),
+                         step.event == process::tau});
+    std::stable_partition(found.begin(), found.end(),
+                          [](const Offer& each) { return each.happening.event.kind != Kind::tock; });
+    return found;
+}
+
+const std::vector<Offer>& Stepper::offers() {
+    if (!offers_) offers_ = offers_at(here_);
+    return *offers_;
+}
+
+void Stepper::take(std::size_t offer) {
+    way_.push_back({here_, offers().at(offer)});
+    move_to(way_.back().offer.step.target);
+}
+
+void Stepper::back_to(std::size_t steps) {
+    if (steps >= way_.size()) return;
+    move_to(way_[steps].before);
+    way_.resize(steps);
+}
+
+void Stepper::move_to(process::TermId state) {
+    here_ = state;
+    offers_.reset();
+    structure_.reset();
+}
+
+std::size_t Stepper::settle(std::size_t most) {
+    std::set<process::TermId> met{here_};
+    std::size_t taken = 0;
+    while (taken < most && offers().size() == 1 && offers().front().hidden) {
+        take(0);
+        ++taken;
+        if (!met.insert(here_).second) break;
+    }
+    return taken;
+}
+
+std::vector<Machine> Stepper::machines() {
+    const std::vector<Standing> standing = components();
+    return standing.empty() ? reader_.machines_at(here_) : machines_of(standing);
+}
+
+std::vector<Machine> Stepper::machines_of(const std::vector<Standing>& standing) const {
+    std::vector<std::vector<Call>> calls;
+    calls.reserve(standing.size());
+    for (const Standing& each : standing) calls.push_back(each.calls);
+    return reader_.machines_of(calls);
+}
+
+std::vector<Standing> Stepper::components() {
+    std::vector<Standing> result;
+    const std::optional<process::Behaviour>& whole = structure();
+    if (!whole) return result;
+    for (const auto& leaf : timeline(*whole, 0).initial) {
+        if (!leaf) continue;
+        Standing one{*leaf, reader_.calls_of(*leaf), {}};
+        std::vector<Machine> machines = reader_.machines_of({one.calls});
+        if (!machines.empty()) one.machine = std::move(machines.front());
+        result.push_back(std::move(one));
+    }
+    // Values stored in separate processes are known only from all components together.
+    for (const Machine& machine : machines_of(result))
+        for (Standing& each : result)
+            if (each.machine.component == machine.component) each.machine = machine;
+    return result;
+}
+
+std::set<std::string> Stepper::offered_elements() {
+    std::set<std::string> result;
+    for (const Offer& offer : offers())
+        for (const ComponentStep& step : reader_.taken_apart(here_, offer.step)) result.merge(reader_.elements(step));
+    return result;
+}
+
+/// The elements that the component could perform on its own.
+std::set<std::string> Stepper::ready_elements(const Standing& standing) {
+    std::set<std::string> result;
+    process::TermStore& terms = reader_.context().session.terms();
+    for (const process::Transition& step : reader_.context().session.transitions(standing.term))
+        result.merge(reader_.elements({reader_.name_of(step.event, step.revealed), standing.calls,
+                                       reader_.meanings().calls(process::describe(terms, step.target))}));
+    return result;
+}
+
+std::string Stepper::reason(const ir::Transition& transition, const Standing& standing, bool ready) const {
+    if (ready) return "the machine is ready for it, but its surroundings do not take part or something comes first";
+    if (!standing.machine.text.starts_with("in ")) return "the machine is not at rest: " + standing.machine.text;
+    if (!transition.guard) return "something else comes first";
+    const diagnostics::Span span = transition.guard->span;
+    std::string text;
+    if (span.known()) text = reader_.context().sources.text(span.source).substr(span.begin, span.end - span.begin);
+    std::vector<std::string> values;
+    for (const Variable& each : standing.machine.variables)
+        if (each.value && each.kind != VariableKind::countdown && text.find(each.name) != std::string::npos)
+            values.push_back(each.name + " = " + *each.value);
+    return fmt::format("its condition{} does not hold{}", text.empty() ? "" : " `" + text + "`",
+                       values.empty() ? "" : fmt::format(" ({})", fmt::join(values, ", ")));
+}
+
+/// For a process that is not a component of a model: the events that its components offer and the process does not.
+std::vector<Absence> Stepper::blocked() {
+    std::vector<Absence> result;
+    const std::optional<process::Behaviour>& whole = structure();
+    if (!whole) return result;
+    for (const Blocked& each : blocked_events(*whole, most_blocked))
+        result.push_back({each.component, reader_.name_of(each.event, process::no_event), each.reason, std::nullopt});
+    return result;
+}
+
+std::vector<Absence> Stepper::absences() {
+    std::vector<Absence> result;
+    if (reader_.context().system.machines.empty()) return blocked();
+    const std::set<std::string> offered = offered_elements();
+    for (const Standing& standing : components()) {
+        const std::vector<std::string>& active = standing.machine.active;
+        std::optional<std::set<std::string>> ready;
+        for (const ir::Machine& machine : reader_.context().system.machines) {
+            for (const ir::Transition& each : machine.transitions) {
+                const std::string& source = machine.nodes[each.source.index].origin.element;
+                if (std::ranges::find(active, source) == active.end()) continue;
+                const std::string element = element_in(standing.machine.component, each.origin.element);
+                if (offered.contains(element)) continue;
+                if (!ready) ready = ready_elements(standing);
+                result.push_back({standing.machine.component, ir::text_of(machine, each),
+                                  reason(each, standing, ready->contains(element)),
+                                  reader_.meanings().place(each.origin.span)});
+            }
+        }
+    }
+    return result;
+}
+
+const std::optional<process::Behaviour>& Stepper::structure() {
+    if (!structure_) {
+        refine::Counterexample nothing;
+        nothing.terms = {here_};
+        structure_.emplace(reader_.context().session.behaviour(nothing));
+    }
+    return *structure_;
+}
+
+Run Stepper::run(csp_emit::Time time) const {
+    refine::Counterexample way;
+    way.kind = refine::ViolationKind::no_trace;
+    process::TermStore& terms = reader_.context().session.terms();
+    way.initial = process::describe(terms, initial_);
+    way.terms = {initial_};
+    for (const Taken& each : way_) {
+        const process::Transition& step = each.offer.step;
+        way.steps.push_back({step.event, step.revealed, process::describe(terms, step.target)});
+        way.terms.push_back(step.target);
+    }
+    csp_emit::Obligation none;
+    none.time = time;
+    Run result = interpret(reader_.context(), none, way);
+    result.end.why.clear();
+    return result;
+}
+
+}  // namespace robochart::runs

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// See structure.hpp.
+#include "counterexample/structure.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+namespace robochart::runs {
+namespace {
+
+/// If there are more components, the rest is only counted.
+constexpr std::size_t most_names = 3;
+
+using Parts = std::vector<const process::Behaviour*>;
+
+/// The parts that exist in the current state.
+Parts present(const process::Behaviour& whole) {
+    Parts result;
+    for (const process::Behaviour& each : whole.parts)
+        if (!each.left) result.push_back(&each);
+    return result;
+}
+
+bool offers(const process::Behaviour& part, process::Event event) {
+    return std::ranges::find(part.offered, event) != part.offered.end();
+}
+
+/// The components of a part that offer the event, or all components if `event` is null.
+void components(const process::Behaviour& part, const process::Event* event, std::vector<std::string>& names) {
+    const Parts parts = present(part);
+    if (parts.empty() && (event == nullptr || offers(part, *event))) names.push_back(part.state);
+    for (const process::Behaviour* each : parts) components(*each, event, names);
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size() && i < most_names; ++i)
+        text += fmt::format("{}`{}`", i == 0 ? "" : ", ", names[i]);
+    if (names.size() > most_names) text += fmt::format(" and {} more", names.size() - most_names);
+    return text;
+}
+
+bool synchronises(std::string_view op) {
+    return op.starts_with("|||") || op.starts_with("[+") || op.starts_with("/+") ||
+           (op.starts_with("[|") && op.ends_with("|]"));
+}
+
+/// Why the operator above `part` blocks its event. "" if the operator lets the event pass, renames it or hides it.
+std::string reason(const process::Behaviour& whole, const process::Behaviour& part, process::Event event) {
+    if (whole.op == "prioritise") return "something of a higher priority is on offer";
+    if (whole.op == "[…||…]") return "the parts that share it do not all offer it";
+    if (!synchronises(whole.op)) return "";
+    std::vector<std::string> others;
+    for (const process::Behaviour* each : present(whole))
+        if (each != &part && !offers(*each, event)) components(*each, nullptr, others);
+    if (others.empty()) return "";
+    if (event == process::tick) return fmt::format("all parts terminate together, and {} cannot yet", listed(others));
+    return others.size() == 1 ? fmt::format("{} has to take part, and does not offer it ({})", listed(others), whole.op)
+                              : fmt::format("{} have to take part, and do not offer it ({})", listed(others), whole.op);
+}
+
+void collect(const process::Behaviour& whole, std::size_t most, std::vector<Blocked>& result) {
+    for (const process::Behaviour* part : present(whole)) {
+        for (const process::Event event : part->offered) {
+            if (result.size() >= most) return;
+            if (offers(whole, event)) continue;
+            const std::string why = reason(whole, *part, event);
+            std::vector<std::string> names;
+            if (!why.empty()) components(*part, &event, names);
+            if (!names.empty()) result.push_back({names.front(), event, why});
+        }
+        collect(*part, most, result);
+    }
+}
+
+/// If there are more events, the rest is only counted.
+constexpr std::size_t most_events = 12;
+
+}  // namespace
+
+std::string part_text(const process::Behaviour& part) {
+    return part.op.empty() ? part.name : part.op;
+}
+
+std::vector<Blocked> blocked_events(const process::Behaviour& whole, std::size_t most) {
+    std::vector<Blocked> result;
+    collect(whole, most, result);
+    return result;
+}
+
+std::string offers_text(const process::Behaviour& part, const process::EventTable& events) {
+    std::vector<std::string> names;
+    for (const process::Event event : part.offered)
+        if (names.size() < most_events) names.push_back(events.name(event));
+    if (part.offered.size() > names.size()) names.push_back(fmt::format("{} more", part.offered.size() - names.size()));
+    return fmt::format("offers {{{}}}{}", fmt::join(names, ", "), part.stable ? "" : " and hidden steps");
+}
+
+}  // namespace robochart::runs

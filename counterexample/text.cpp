@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// If the run has several machines, each step is printed with the machine that performs it.
+#include "counterexample/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "base/diagnostics/escape.hpp"
+
+namespace robochart::runs {
+namespace {
+
+constexpr std::size_t widest_column = 60;
+
+std::string last_of(const std::string& path) {
+    const auto at = path.rfind("::");
+    return at == std::string::npos ? path : path.substr(at + 2);
+}
+
+struct Line {
+    std::int64_t time = 0;
+    std::string who, what, place;
+};
+
+class Writer {
+public:
+    Writer(const Run& run, std::string_view indent) : run_(run), indent_(indent) { name_machines(); }
+    std::string write();
+
+private:
+    void name_machines();
+    [[nodiscard]] std::string who(const std::string& component) const;
+    [[nodiscard]] std::vector<Line> lines(std::size_t begin, std::size_t end) const;
+    [[nodiscard]] Line line(const Step& step) const;
+    [[nodiscard]] std::vector<Line> loop() const;
+    [[nodiscard]] std::string machine(const Machine& machine) const;
+    void add(const std::vector<Line>& lines);
+    [[nodiscard]] const std::vector<Machine>& at_the_end() const;
+
+    const Run& run_;
+    std::string_view indent_;
+    std::map<std::string, std::string> short_names_;  ///< of machines, if there are several
+    std::string out_;
+};
+
+void Writer::name_machines() {
+    std::set<std::string> components;
+    for (const Machine& each : run_.initial) components.insert(each.component);
+    for (const Step& step : run_.steps)
+        for (const Machine& each : step.machines) components.insert(each.component);
+    if (components.size() < 2) return;
+    std::map<std::string, int> uses;
+    for (const std::string& each : components) ++uses[last_of(each)];
+    for (const std::string& each : components) short_names_[each] = uses[last_of(each)] == 1 ? last_of(each) : each;
+}
+
+std::string Writer::who(const std::string& component) const {
+    if (short_names_.empty() || component.empty()) return "";
+    const auto found = short_names_.find(component);
+    return found == short_names_.end() ? last_of(component) : found->second;
+}
+
+/// The assignments that follow immediately after time has passed; they are not separate steps.
+std::vector<std::pair<std::string, std::string>> assigned(const Step& step) {
+    std::vector<std::pair<std::string, std::string>> result;
+    for (const Change& change : step.changes) {
+        const std::string text = fmt::format("{} = {}", change.name, change.after);
+        if (result.empty() || result.back().first != change.component)
+            result.emplace_back(change.component, text);
+        else
+            result.back().second += ", " + text;
+    }
+    return result;
+}
+
+std::string passing(std::int64_t units) {
+    return units == 1 ? "1 time unit passes" : fmt::format("{} time units pass", units);
+}
+
+Line Writer::line(const Step& step) const {
+    Line result;
+    result.time = step.time.value_or(0);
+    result.who = who(step.event.component);
+    result.what = text(step.event);
+    for (const Event& other : step.with) result.what += fmt::format("; {}: {}", who(other.component), other.text);
+    // Changes that the text of the event contains are not repeated.
+    std::vector<std::string> changes;
+    for (const Change& change : step.changes) {
+        const std::string text = fmt::format("{} = {}", change.name, change.after);
+        if (!step.event.text.ends_with(text)) changes.push_back(text);
+    }
+    if (!changes.empty()) result.what += fmt::format("   [{}]", fmt::join(changes, ", "));
+    if (step.event.place)
+        result.place = fmt::format("{}:{}", diagnostics::shown(step.event.place->file), step.event.place->line);
+    return result;
+}
+
+std::vector<Line> Writer::lines(std::size_t begin, std::size_t end) const {
+    std::vector<Line> result;
+    for (std::size_t i = begin; i < end; ++i) {
+        const Step& step = run_.steps[i];
+        // Further termination events, which the checks for termination add, are not printed.
+        const bool again = i > begin && step.event.kind == Kind::terminate && step.event.component.empty() &&
+                           run_.steps[i - 1].event.kind == Kind::terminate;
+        if (is_news(step) && !again) result.push_back(line(step));
+        if (step.event.kind != Kind::tock) continue;
+        for (const auto& [component, values] : assigned(step))
+            result.push_back({step.time.value_or(0) + step.units, who(component), values, ""});
+    }
+    return result;
+}
+
+void Writer::add(const std::vector<Line>& lines) {
+    std::size_t names = 0;
+    std::size_t words = 0;
+    for (const Line& each : lines) {
+        names = std::max(names, each.who.size());
+        words = std::max(words, each.what.size());
+    }
+    for (const Line& each : lines) {
+        out_ += indent_;
+        if (run_.timed) out_ += fmt::format("t={:<4} ", each.time);
+        if (names > 0) out_ += fmt::format("{:<{}}   ", each.who, names);
+        if (each.place.empty())
+            out_ += each.what;
+        else
+            out_ += fmt::format("{:<{}}   {}", each.what, std::min(words, widest_column), each.place);
+        out_ += '\n';
+    }
+}
+
+std::string Writer::machine(const Machine& machine) const {
+    const std::string values = values_text(machine);
+    std::string text = machine.text;
+    if (!short_names_.empty()) text = fmt::format("{}: {}", who(machine.component), text);
+    return values.empty() ? text : fmt::format("{} ({})", text, values);
+}
+
+const std::vector<Machine>& Writer::at_the_end() const {
+    const std::size_t end = run_.loop_start.value_or(run_.steps.size());
+    return end == 0 ? run_.initial : run_.steps[end - 1].machines;
+}
+
+std::vector<Line> Writer::loop() const {
+    std::vector<Line> result = lines(*run_.loop_start, run_.steps.size());
+    std::int64_t units = 0;
+    for (std::size_t i = *run_.loop_start; i < run_.steps.size(); ++i) units += run_.steps[i].units;
+    if (units > 0) result.push_back({run_.time, "", passing(units), ""});
+    if (result.empty()) result.push_back({run_.time, "", "internal steps that change nothing", ""});
+    return result;
+}
+
+std::string Writer::write() {
+    const std::size_t end = run_.loop_start.value_or(run_.steps.size());
+    std::vector<Line> run = lines(0, end);
+    const std::int64_t shown = run.empty() ? 0 : run.back().time;
+    if (run_.time > shown) run.push_back({shown, "", passing(run_.time - shown), ""});
+    add(run);
+    std::vector<std::string> places;
+    for (const Machine& each : at_the_end()) places.push_back(machine(each));
+    if (!places.empty()) {
+        out_ += run_.timed ? fmt::format("{}now at t={}: ", indent_, run_.time) : fmt::format("{}now ", indent_);
+        out_ += fmt::format("{}\n", fmt::join(places, "; "));
+    }
+    if (run_.loop_start) {
+        out_ += fmt::format("{}then for ever:\n", indent_);
+        add(loop());
+    }
+    if (!run_.end.why.empty()) out_ += fmt::format("{}why {}\n", indent_, run_.end.why);
+    return std::move(out_);
+}
+
+}  // namespace
+
+bool is_news(const Step& step) {
+    if (step.event.kind == Kind::tock) return false;
+    if (!step.changes.empty() || !step.hidden) return true;
+    switch (step.event.kind) {
+        case Kind::internal:
+        case Kind::entered:
+        case Kind::exited:
+        case Kind::external_write:
+            return false;
+        default:
+            return true;
+    }
+}
+
+std::string text(const Event& event) {
+    const bool by_transition = event.kind == Kind::input && event.via.find(" -> ") != std::string::npos;
+    return by_transition ? fmt::format("{} ({})", event.text, event.via) : event.text;
+}
+
+std::string text(const Event& event, const std::vector<Event>& with) {
+    std::string result = text(event);
+    for (const Event& other : with) result += fmt::format("; {}: {}", other.component, other.text);
+    return result;
+}
+
+std::string values_text(const Machine& machine) {
+    std::vector<std::string> values;
+    for (const Variable& each : machine.variables)
+        if (each.kind != VariableKind::constant && each.value)
+            values.push_back(fmt::format("{} = {}", each.name, *each.value));
+    return fmt::format("{}", fmt::join(values, ", "));
+}
+
+std::string text(const Machine& machine) {
+    const std::string values = values_text(machine);
+    return values.empty() ? machine.text : fmt::format("{}, {}", machine.text, values);
+}
+
+std::string text(const Run& run, std::string_view indent) {
+    return Writer(run, indent).write();
+}
+
+}  // namespace robochart::runs

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Collects the leaves of the behaviour's tree, with the moments in which they move and between which they exist.
+// Moments are numbered when all are known.
+#include "counterexample/timeline.hpp"
+
+#include <iterator>
+#include <list>
+
+namespace robochart::runs {
+namespace {
+
+using process::Behaviour;
+using process::TermId;
+
+struct Entry {
+    std::size_t raw = 0;
+    bool shown = true;
+    std::size_t number = 0;
+    std::vector<Mover> movers;
+    std::vector<std::pair<Leaf, TermId>> reached;
+};
+using Entries = std::list<Entry>;
+using Point = Entries::iterator;
+
+class Builder {
+public:
+    explicit Builder(std::size_t steps) {
+        for (std::size_t i = 0; i < steps; ++i) entries_.push_back({i, true, 0, {}, {}});
+    }
+    Timeline build(const Behaviour& whole);
+
+private:
+    /// The first moment in which a part exists (no value: from the start), and the first in which it no longer exists.
+    struct Span {
+        std::optional<Point> begin = std::nullopt, end = std::nullopt;
+    };
+    struct Present {
+        TermId initial;
+        Span span;
+    };
+    /// `moments`: one for each step of the run in which this part's steps are counted.
+    void add(const Behaviour& part, const std::vector<Point>& moments, Span span);
+    void add_leaf(const Behaviour& part, const std::vector<Point>& moments, Span span);
+    void add_compressed(const Behaviour& part, const std::vector<Point>& moments, Span span);
+    Point point(const std::vector<Point>& moments, std::size_t step) {
+        if (step < moments.size()) return moments[step];
+        return moments.empty() ? entries_.end() : std::next(moments.back());
+    }
+
+    Entries entries_;
+    std::vector<Present> leaves_;
+};
+
+void Builder::add_leaf(const Behaviour& part, const std::vector<Point>& moments, Span span) {
+    const Leaf leaf = leaves_.size();
+    leaves_.push_back({part.initial, span});
+    for (std::size_t i = 0; i < moments.size() && i < part.trace.size(); ++i) {
+        if (part.trace[i] == process::no_event) continue;
+        const bool hides = part.trace[i] == process::tau && part.revealed[i] != process::no_event;
+        moments[i]->movers.push_back({leaf, hides ? part.revealed[i] : part.trace[i]});
+        moments[i]->reached.emplace_back(leaf, part.reached[i]);
+    }
+}
+
+void Builder::add_compressed(const Behaviour& part, const std::vector<Point>& moments, Span span) {
+    const Behaviour& inside = part.parts.front();
+    std::size_t visible_left = 0;
+    for (const process::Event event : inside.trace) visible_left += event != process::tau ? 1 : 0;
+    std::vector<Point> own;
+    for (std::size_t i = 0; i < inside.shown_by.size(); ++i) {
+        const std::size_t at = inside.shown_by[i];
+        const bool any = at < moments.size();
+        const bool visible = inside.trace[i] != process::tau;
+        if (any && visible) {
+            own.push_back(moments[at]);
+            --visible_left;
+            continue;
+        }
+        // After the last visible event, there is no later event that the step could precede.
+        const Point before = !any ? entries_.end() : visible_left > 0 ? moments[at] : std::next(moments[at]);
+        own.push_back(entries_.insert(before, {any ? moments[at]->raw : 0, false, 0, {}, {}}));
+    }
+    add(inside, own, span);
+}
+
+void Builder::add(const Behaviour& part, const std::vector<Point>& moments, Span span) {
+    if (part.begins > 0) span.begin = point(moments, part.begins);
+    if (part.ends <= part.trace.size()) span.end = point(moments, part.ends);
+    const bool compressed = part.parts.size() == 1 &&
+                            part.parts.front().shown_by.size() == part.parts.front().trace.size() &&
+                            !part.parts.front().shown_by.empty();
+    if (part.parts.empty()) return add_leaf(part, moments, span);
+    if (compressed) return add_compressed(part, moments, span);
+    for (const Behaviour& each : part.parts) add(each, moments, span);
+}
+
+Timeline Builder::build(const Behaviour& whole) {
+    std::vector<Point> moments;
+    for (Point at = entries_.begin(); at != entries_.end(); ++at) moments.push_back(at);
+    add(whole, moments, {});
+    std::size_t number = 0;
+    for (Entry& entry : entries_) entry.number = number++;
+    const auto is_next = [&](const std::optional<Point>& at, const Entry& entry) {
+        return at && (*at == entries_.end() ? number : (*at)->number) == entry.number + 1;
+    };
+
+    Timeline result;
+    std::vector<std::optional<TermId>> now(leaves_.size());
+    for (std::size_t i = 0; i < leaves_.size(); ++i)
+        if (!leaves_[i].span.begin) now[i] = leaves_[i].initial;
+    result.initial = now;
+    for (Entry& entry : entries_) {
+        for (const auto& [leaf, term] : entry.reached) now[leaf] = term;
+        // A leaf that begins to exist in the next moment is added after this one. A leaf that no longer exists in the
+        // next moment is removed after this one.
+        for (std::size_t i = 0; i < leaves_.size(); ++i) {
+            if (is_next(leaves_[i].span.begin, entry)) now[i] = leaves_[i].initial;
+            if (is_next(leaves_[i].span.end, entry)) now[i] = std::nullopt;
+        }
+        result.moments.push_back({entry.raw, entry.shown, std::move(entry.movers), now});
+    }
+    return result;
+}
+
+}  // namespace
+
+Timeline timeline(const Behaviour& behaviour, std::size_t steps) {
+    return Builder(steps).build(behaviour);
+}
+
+}  // namespace robochart::runs

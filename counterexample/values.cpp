@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// checker/cspm/eval/value_text.cpp prints values; csp_emit/base/types.cpp defines how they represent values of the
+// model.
+#include "counterexample/values.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <optional>
+
+namespace robochart::runs {
+namespace {
+
+using ir::TypeId;
+using ir::TypeKind;
+
+/// `number` in units of 1/scale as a decimal: -1088 at scale 100 is "-10.88".
+std::string decimal(std::int64_t number, std::int64_t scale) {
+    if (number % scale == 0) return fmt::format("{}", number / scale);
+    const std::uint64_t magnitude =
+        number < 0 ? 0U - static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number);
+    const auto unit = static_cast<std::uint64_t>(scale);
+    std::string digits = fmt::format("{:0{}}", magnitude % unit, fmt::formatted_size("{}", unit) - 1);
+    while (digits.back() == '0') digits.pop_back();
+    return fmt::format("{}{}.{}", number < 0 ? "-" : "", magnitude / unit, digits);
+}
+
+class Reader {
+public:
+    Reader(const ir::System& system, const ir::Instantiation& instantiation)
+        : system_(system), instantiation_(instantiation) {}
+
+    [[nodiscard]] std::string value(TypeId id, std::string_view text) const;
+    /// The literal that a value of an enumeration begins with; no value if it is not such a value.
+    [[nodiscard]] std::optional<std::size_t> literal(const ir::Type& type, std::string_view text) const;
+
+private:
+    [[nodiscard]] std::string real(std::string_view text) const;
+    [[nodiscard]] std::string enumerated(const ir::Type& type, std::string_view text) const;
+    [[nodiscard]] std::string collection(const std::vector<TypeId>& elements, std::string_view text) const;
+    [[nodiscard]] std::string record(const ir::Type& type, std::string_view text) const;
+    [[nodiscard]] std::string element(const std::vector<TypeId>& types, std::string_view text) const;
+
+    const ir::System& system_;
+    const ir::Instantiation& instantiation_;
+};
+
+std::string Reader::real(std::string_view text) const {
+    std::int64_t number = 0;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool whole = code == std::errc() && end == text.data() + text.size();
+    return whole ? decimal(number, instantiation_.scale) : std::string(text);
+}
+
+std::optional<std::size_t> Reader::literal(const ir::Type& type, std::string_view text) const {
+    const std::string_view name = text.substr(0, text.find('.'));
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < type.labels.size(); ++i) {
+        const std::string& label = type.labels[i];
+        const bool ends = name == label || name.ends_with("_" + label);
+        if (ends && (!found || label.size() > type.labels[*found].size())) found = i;
+    }
+    return found;
+}
+
+std::string Reader::enumerated(const ir::Type& type, std::string_view text) const {
+    const auto found = literal(type, text);
+    if (!found) return std::string(text);
+    const auto dot = text.find('.');
+    if (dot == std::string_view::npos) return type.labels[*found];
+    std::vector<std::string> arguments;
+    const std::vector<TypeId> types =
+        *found < type.literal_args.size() ? type.literal_args[*found] : std::vector<TypeId>{};
+    for (const Value& each : values_of_event(system_, instantiation_, types, text.substr(dot + 1)))
+        arguments.push_back(each.text);
+    return fmt::format("{}({})", type.labels[*found], fmt::join(arguments, ", "));
+}
+
+/// An element of a collection: a pair of a function or relation, or a value of the common type.
+std::string Reader::element(const std::vector<TypeId>& types, std::string_view text) const {
+    if (types.size() == 1) return value(types[0], text);
+    return collection(types, text);
+}
+
+/// `<a, b>`, `{a, b}` and `(a, b)`: elements of one type, or one type per element.
+std::string Reader::collection(const std::vector<TypeId>& elements, std::string_view text) const {
+    if (text.size() < 3 || elements.empty()) return std::string(text);
+    std::vector<std::string> shown;
+    const std::vector<std::string> parts = split(text.substr(1, text.size() - 2), ",");
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        shown.push_back(value(i < elements.size() ? elements[i] : elements.back(), trim(parts[i])));
+    return fmt::format("{}{}{}", text.front(), fmt::join(shown, ", "), text.back());
+}
+
+std::string Reader::record(const ir::Type& type, std::string_view text) const {
+    const bool one = type.labels.size() == 1;
+    const std::vector<std::string> parts = one               ? std::vector<std::string>{std::string(text)}
+                                           : text.size() > 2 ? split(text.substr(1, text.size() - 2), ",")
+                                                             : std::vector<std::string>{};
+    if (parts.size() != type.labels.size() || type.args.size() != type.labels.size()) return std::string(text);
+    std::vector<std::string> fields;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        fields.push_back(fmt::format("{} = {}", type.labels[i], value(type.args[i], trim(parts[i]))));
+    return fmt::format("{} (| {} |)", type.name, fmt::join(fields, ", "));
+}
+
+std::string Reader::value(TypeId id, std::string_view text) const {
+    if (!id.valid() || text.empty()) return std::string(text);
+    const ir::Type& type = system_.type(id);
+    switch (type.kind) {
+        case TypeKind::real:
+            return real(text);
+        case TypeKind::enumeration:
+            return enumerated(type, text);
+        case TypeKind::record:
+            return record(type, text);
+        case TypeKind::sequence:
+        case TypeKind::set: {
+            if (text.front() != '<' && text.front() != '{') return std::string(text);
+            if (text.size() < 3) return std::string(text);
+            std::vector<std::string> shown;
+            for (const std::string& part : split(text.substr(1, text.size() - 2), ","))
+                shown.push_back(element(type.args, trim(part)));
+            return fmt::format("{}{}{}", text.front(), fmt::join(shown, ", "), text.back());
+        }
+        case TypeKind::function:
+        case TypeKind::relation: {
+            if (text.size() < 3 || text.front() != '{') return std::string(text);
+            std::vector<std::string> shown;
+            for (const std::string& part : split(text.substr(1, text.size() - 2), ","))
+                shown.push_back(collection(type.args, trim(part)));
+            return fmt::format("{{{}}}", fmt::join(shown, ", "));
+        }
+        case TypeKind::product:
+        case TypeKind::vector:
+            return text.front() == '(' ? collection(type.args, text) : element(type.args, text);
+        default:
+            return std::string(text);
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> split(std::string_view text, std::string_view separator) {
+    std::vector<std::string> parts;
+    int depth = 0;
+    bool quoted = false;
+    std::size_t start = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"') quoted = !quoted;
+        if (quoted) continue;
+        if (c == '(' || c == '{' || c == '<') ++depth;
+        // `=>` of a map is not a bracket.
+        if (c == ')' || c == '}' || (c == '>' && (i == 0 || text[i - 1] != '='))) --depth;
+        if (depth == 0 && text.substr(i, separator.size()) == separator) {
+            parts.emplace_back(text.substr(start, i - start));
+            i += separator.size() - 1;
+            start = i + 1;
+        }
+    }
+    parts.emplace_back(text.substr(start));
+    return parts;
+}
+
+std::string_view trim(std::string_view text) {
+    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+    return text;
+}
+
+std::string value_text(const ir::System& system, const ir::Instantiation& instantiation, TypeId type,
+                       std::string_view text) {
+    return Reader(system, instantiation).value(type, text);
+}
+
+std::vector<Value> values_of_event(const ir::System& system, const ir::Instantiation& instantiation,
+                                   const std::vector<TypeId>& types, std::string_view text) {
+    std::vector<Value> result;
+    if (text.empty()) return result;
+    const Reader reader(system, instantiation);
+    const std::vector<std::string> parts = split(text, ".");
+    for (std::size_t at = 0, place = 0; at < parts.size(); ++place) {
+        const TypeId type = place < types.size() ? types[place] : TypeId{};
+        std::string value = parts[at++];
+        if (type.valid() && system.type(type).kind == TypeKind::enumeration) {
+            const ir::Type& enumeration = system.type(type);
+            const auto literal = reader.literal(enumeration, value);
+            const bool has_arguments = literal && *literal < enumeration.literal_args.size();
+            std::size_t more = has_arguments ? enumeration.literal_args[*literal].size() : 0;
+            for (; more > 0 && at < parts.size(); --more) value += "." + parts[at++];
+        }
+        result.push_back({reader.value(type, value), type.valid() ? system.type(type).name : ""});
+    }
+    return result;
+}
+
+}  // namespace robochart::runs

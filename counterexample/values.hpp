@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Converts values as printed by the checker to the notation of the model.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "counterexample/run.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::runs {
+
+/// Splits at `separator`, except inside brackets and quoted texts.
+[[nodiscard]] std::vector<std::string> split(std::string_view text, std::string_view separator);
+[[nodiscard]] std::string_view trim(std::string_view text);
+
+/// A value of the type: reals as decimals instead of units of 1/scale, literals without the name of their type, and the
+/// same for the parts. Text in another form is returned unchanged.
+[[nodiscard]] std::string value_text(const ir::System&, const ir::Instantiation&, ir::TypeId, std::string_view text);
+/// The values after the dots of an event. `types` determines how many dots belong to each value.
+[[nodiscard]] std::vector<Value> values_of_event(const ir::System&, const ir::Instantiation&,
+                                                 const std::vector<ir::TypeId>& types, std::string_view text);
+
+}  // namespace robochart::runs

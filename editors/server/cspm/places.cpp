@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "editors/server/cspm/places.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "checker/cspm/syntax/lexer.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+bool covers(Span span, SourceId source, std::uint32_t offset) {
+    return span.source == source && span.begin <= offset && offset <= span.end;
+}
+
+std::uint32_t length(Span span) {
+    return span.end - span.begin;
+}
+
+/// The shortest of the uses that contain a place.
+std::optional<NameAt> use_at(const ScriptReading& reading, SourceId source, std::uint32_t offset) {
+    std::optional<NameAt> best;
+    const auto& uses = reading.names.uses;
+    const auto behind = std::ranges::upper_bound(uses, std::tuple(source, offset), {}, [](const auto& use) {
+        return std::tuple(use.span.source, use.span.begin);
+    });
+    // Spans of names overlap only if one is part of a qualified name, so few neighbours must be checked.
+    constexpr std::ptrdiff_t looked_at = 4;
+    for (auto use = behind; use != uses.begin() && behind - use < looked_at;) {
+        --use;
+        if (!covers(use->span, source, offset) || (best && length(best->span) <= length(use->span))) continue;
+        best = NameAt{&reading.names.names[use->name], use->span};
+    }
+    return best;
+}
+
+bool is_part_of_name(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '\'';
+}
+
+std::string_view word_at(std::string_view text, std::size_t offset) {
+    std::size_t begin = std::min(offset, text.size());
+    std::size_t end = begin;
+    while (begin > 0 && is_part_of_name(text[begin - 1])) --begin;
+    while (end < text.size() && is_part_of_name(text[end])) ++end;
+    return text.substr(begin, end - begin);
+}
+
+std::optional<NameAt> declaration_at(const ScriptReading& reading, SourceId source, std::uint32_t offset) {
+    const std::string_view word = word_at(reading.sources.text(source), offset);
+    std::optional<NameAt> best;
+    std::uint32_t shortest = 0;
+    for (const cspm::KnownName& each : reading.names.names) {
+        if (!covers(each.span, source, offset) || short_name(each.name) != word) continue;
+        if (best && shortest <= length(each.span)) continue;
+        const Span place = name_place(reading.sources, each.span, each.name);
+        if (!covers(place, source, offset) || place.begin == place.end) continue;
+        best = NameAt{&each, place};
+        shortest = length(each.span);
+    }
+    return best;
+}
+
+}  // namespace
+
+std::string_view short_name(std::string_view qualified) {
+    const std::size_t colon = qualified.rfind(':');
+    return colon == std::string_view::npos ? qualified : qualified.substr(colon + 1);
+}
+
+Span name_place(const SourceManager& sources, Span declaration, std::string_view name) {
+    const std::string_view text = sources.text(declaration.source).substr(declaration.begin, length(declaration));
+    const std::string_view wanted = short_name(name);
+    diagnostics::Diagnostics ignored;
+    for (const cspm::Token& token : cspm::lex(text, declaration.source, ignored))
+        if (token.kind == cspm::Tok::identifier && token.text == wanted)
+            return {declaration.source, declaration.begin + token.span.begin, declaration.begin + token.span.end};
+    return {declaration.source, declaration.begin, declaration.begin};
+}
+
+std::optional<NameAt> name_at(const ScriptReading& reading, SourceId source, std::uint32_t offset) {
+    const std::optional<NameAt> use = use_at(reading, source, offset);
+    return use ? use : declaration_at(reading, source, offset);
+}
+
+}  // namespace robochart::lsp

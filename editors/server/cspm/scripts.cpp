@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "editors/server/cspm/scripts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "checker/cspm/syntax/reader.hpp"
+#include "editors/server/protocol/uri.hpp"
+
+namespace robochart::lsp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A unique name for a file, with links resolved. A path that is not on disk is used unchanged.
+std::string file_at(const std::string& path) {
+    if (!path.starts_with('/')) return path;
+    std::error_code code;
+    const fs::path file = fs::weakly_canonical(path, code);
+    return code || file.empty() ? fs::path(path).lexically_normal().string() : file.string();
+}
+
+}  // namespace
+
+bool is_script(std::string_view uri, std::string_view language) {
+    constexpr std::array<std::string_view, 3> suffixes = {".csp", ".cspm", ".fdr3"};
+    return language == "cspm" ||
+           std::ranges::any_of(suffixes, [&](std::string_view suffix) { return uri.ends_with(suffix); });
+}
+
+ScriptDocument* Scripts::find(std::string_view uri) {
+    const auto found = documents_.find(uri);
+    return found != documents_.end() ? found->second.get() : nullptr;
+}
+
+ScriptDocument& Scripts::open(const std::string& uri, std::string text) {
+    std::unique_ptr<ScriptDocument>& document = documents_[uri];
+    document = std::make_unique<ScriptDocument>();
+    document->uri = uri;
+    document->path = path_of_uri(uri);
+    document->file = file_at(document->path);
+    document->source = document->texts.add(document->path, std::move(text));
+    forget(document->file);
+    return *document;
+}
+
+void Scripts::change(ScriptDocument& document, std::string text) {
+    if (document.texts.text(document.source) == text) return;
+    document.texts.replace(document.source, std::move(text));
+    forget(document.file);
+}
+
+void Scripts::close(const std::string& uri) {
+    const auto found = documents_.find(uri);
+    if (found == documents_.end()) return;
+    const std::string file = found->second->file;
+    documents_.erase(found);
+    forget(file);
+}
+
+void Scripts::refresh(const std::string& uri) {
+    const std::string file = file_of(path_of_uri(uri));
+    if (opened(file) == nullptr) forget(file);
+}
+
+/// Discards readings that used this file.
+void Scripts::forget(const std::string& file) {
+    news_ = true;
+    for (const auto& [uri, document] : documents_)
+        if (document->file == file || (document->reading && document->reading->asked.contains(file)))
+            document->reading.reset();
+}
+
+const ScriptDocument* Scripts::opened(const std::string& file) const {
+    for (const auto& [uri, document] : documents_)
+        if (document->file == file) return document.get();
+    return nullptr;
+}
+
+/// The file recorded for an open document of this path. Links may have changed since then; the document keeps its file.
+std::string Scripts::file_of(const std::string& path) const {
+    for (const auto& [uri, document] : documents_)
+        if (document->path == path) return document->file;
+    return file_at(path);
+}
+
+std::optional<SourceId> Scripts::load(ScriptReading& reading, const std::string& path, std::string& error) {
+    const std::string file = file_of(path);
+    reading.asked.insert(file);
+    const ScriptDocument* document = opened(file);
+    std::optional<SourceId> source;
+    if (document != nullptr)
+        source = reading.sources.add(path, std::string(document->texts.text(document->source)));
+    else if (path.starts_with('/'))
+        source = reading.sources.load(path, error);
+    else
+        error = "the text that includes it lies in no folder";
+    if (!source) return std::nullopt;
+    reading.at.emplace(file, *source);
+    reading.in.emplace(*source, file);
+    return source;
+}
+
+void Scripts::read(ScriptDocument& document) {
+    auto reading = std::make_unique<ScriptReading>();
+    reading->findings.within(budget_);
+    reading->script =
+        cspm::read_file(reading->sources, document.path, reading->findings,
+                        [&](const std::string& path, std::string& error) { return load(*reading, path, error); });
+    document.reading = std::move(reading);
+}
+
+/// If open files include each other, the first counts as the whole script.
+bool Scripts::is_part_of_another(const ScriptDocument& document) const {
+    return std::ranges::any_of(documents_, [&](const auto& entry) {
+        const ScriptDocument& other = *entry.second;
+        if (&other == &document || !other.reading->at.contains(document.file)) return false;
+        return !document.reading->at.contains(other.file) || other.uri < document.uri;
+    });
+}
+
+std::vector<const ScriptReading*> Scripts::readings() {
+    for (const auto& [uri, document] : documents_)
+        if (!document->reading) read(*document);
+    std::vector<const ScriptReading*> result;
+    for (const auto& [uri, document] : documents_) {
+        if (is_part_of_another(*document)) continue;
+        ScriptReading& reading = *document->reading;
+        if (!reading.typed && reading.findings.ok()) {
+            diagnostics::Diagnostics of_types;
+            of_types.within(budget_);
+            (void)cspm::check_types(reading.script, of_types, &reading.names);
+            reading.findings.add(of_types);
+        }
+        reading.typed = true;
+        result.push_back(&reading);
+    }
+    return result;
+}
+
+const ScriptReading& Scripts::reading_of(const ScriptDocument& document) {
+    for (const ScriptReading* each : readings())
+        if (each->at.contains(document.file)) return *each;
+    return *document.reading;
+}
+
+std::string Scripts::uri_of(const ScriptReading& reading, SourceId source) const {
+    const auto file = reading.in.find(source);
+    if (file == reading.in.end()) return {};
+    const ScriptDocument* document = opened(file->second);
+    const std::string& path = reading.sources.path(source);
+    return document != nullptr ? document->uri : uri_of_path(fs::path(path).lexically_normal().string());
+}
+
+}  // namespace robochart::lsp

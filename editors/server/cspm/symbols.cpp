@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "editors/server/cspm/symbols.hpp"
+
+#include <map>
+
+#include "checker/cspm/syntax/reader.hpp"
+#include "editors/server/cspm/places.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+using cspm::Decl;
+using cspm::DeclKind;
+using cspm::DeclPtr;
+
+/// An entry of the outline with its inner entries.
+struct Entry {
+    std::string name;
+    std::string detail;
+    int kind = 0;
+    Span whole;
+    Span place;
+    std::vector<Entry> inside;
+};
+
+namespace kinds {  // SymbolKind (LSP 3.17)
+constexpr int module = 2;
+constexpr int type = 5;
+constexpr int enumeration = 10;
+constexpr int function = 12;
+constexpr int variable = 13;
+constexpr int boolean = 17;
+constexpr int member = 22;
+constexpr int event = 24;
+}  // namespace kinds
+
+/// Makes the entries of one text.
+class Outline {
+public:
+    Outline(const ScriptReading& reading, SourceId source) : reading_(reading), source_(source) {
+        for (const cspm::KnownName& each : reading.names.names)
+            if (each.span.source == source) types_.emplace(std::pair(each.span.begin, each.name), &each.type);
+    }
+
+    std::vector<Entry> list(const std::vector<DeclPtr>& decls, const std::string& prefix) {
+        std::vector<Entry> result;
+        for (const DeclPtr& each : decls)
+            if (each->span.source == source_) add(*each, prefix, result);
+        return result;
+    }
+
+private:
+    Entry entry(const std::string& name, const std::string& prefix, int kind, Span whole, std::string detail = {}) {
+        Entry made{name, std::move(detail), kind, whole, name_place(reading_.sources, whole, name), {}};
+        const auto type = types_.find({whole.begin, prefix + name});
+        if (type != types_.end() && !type->second->empty()) made.detail = *type->second;
+        return made;
+    }
+
+    void add(const Decl& decl, const std::string& prefix, std::vector<Entry>& out) {
+        switch (decl.kind) {
+            case DeclKind::function:
+                if (!out.empty() && out.back().kind == kinds::function && out.back().name == decl.names.at(0))
+                    out.back().whole = diagnostics::join(out.back().whole, decl.span);
+                else
+                    out.push_back(entry(decl.names.at(0), prefix, kinds::function, decl.span));
+                break;
+            case DeclKind::value:
+                pattern(*decl.patterns.at(0).at(0), decl.span, prefix, out);
+                break;
+            case DeclKind::channel:
+                for (const std::string& name : decl.names)
+                    out.push_back(entry(name, prefix, kinds::event, decl.span, "channel"));
+                break;
+            case DeclKind::datatype:
+            case DeclKind::subtype:
+                datatype(decl, prefix, out);
+                break;
+            case DeclKind::nametype:
+                out.push_back(entry(decl.names.at(0), prefix, kinds::type, decl.span));
+                break;
+            case DeclKind::module:
+                module(decl, prefix, out);
+                break;
+            case DeclKind::instance:
+                out.push_back(entry(decl.names.at(0), prefix, kinds::module, decl.span, "instance of " + decl.text));
+                break;
+            case DeclKind::timed:
+                for (Entry& each : list(decl.decls, prefix)) out.push_back(std::move(each));
+                break;
+            case DeclKind::assertion:
+                assertion(decl, out);
+                break;
+            default:
+                break;
+        }
+    }
+
+    void pattern(const cspm::Pattern& pattern, Span whole, const std::string& prefix, std::vector<Entry>& out) {
+        if (pattern.kind == cspm::PatternKind::name) {
+            Entry made{pattern.text, {}, kinds::variable, whole, pattern.span, {}};
+            const auto type = types_.find({pattern.span.begin, prefix + pattern.text});
+            if (type != types_.end()) made.detail = *type->second;
+            out.push_back(std::move(made));
+        }
+        for (const cspm::PatternPtr& each : pattern.args) this->pattern(*each, whole, prefix, out);
+    }
+
+    void datatype(const Decl& decl, const std::string& prefix, std::vector<Entry>& out) {
+        Entry made = entry(decl.names.at(0), prefix, kinds::enumeration, decl.span);
+        for (const cspm::Constructor& each : decl.constructors)
+            made.inside.push_back(entry(each.name, prefix, kinds::member, each.span));
+        out.push_back(std::move(made));
+    }
+
+    void module(const Decl& decl, const std::string& prefix, std::vector<Entry>& out) {
+        Entry made = entry(decl.names.at(0), prefix, kinds::module, decl.span, "module");
+        const std::string inside = prefix + decl.names.at(0) + "::";
+        made.inside = list(decl.decls, inside);
+        for (Entry& each : list(decl.exports, inside)) made.inside.push_back(std::move(each));
+        out.push_back(std::move(made));
+    }
+
+    void assertion(const Decl& decl, std::vector<Entry>& out) {
+        constexpr std::size_t longest = 120;
+        const std::string_view text = reading_.sources.text(source_);
+        std::string name(text.substr(decl.span.begin, decl.span.end - decl.span.begin));
+        name = name.substr(0, name.find('\n'));
+        if (name.size() > longest) name = name.substr(0, longest);
+        out.push_back({name, "assertion", kinds::boolean, decl.span, decl.span, {}});
+    }
+
+    const ScriptReading& reading_;
+    SourceId source_;
+    std::map<std::pair<std::uint32_t, std::string>, const std::string*> types_;
+};
+
+Json symbol(const SourceManager& sources, const Entry& entry, Encoding encoding) {
+    Json result = Json::object({{"name", entry.name},
+                                {"detail", entry.detail},
+                                {"kind", entry.kind},
+                                {"range", range(sources, entry.whole, encoding)},
+                                {"selectionRange", range(sources, entry.place, encoding)}});
+    Json children = Json::array();
+    for (const Entry& each : entry.inside) children.push_back(symbol(sources, each, encoding));
+    if (!children.empty()) result["children"] = std::move(children);
+    return result;
+}
+
+/// Adds an entry and its inner entries to a flat list.
+void add_flat(const SourceManager& sources, const Entry& entry, const std::string& container, const std::string& uri,
+              Encoding encoding, Json& out) {
+    out.push_back(
+        Json::object({{"name", entry.name},
+                      {"kind", entry.kind},
+                      {"location", Json::object({{"uri", uri}, {"range", range(sources, entry.place, encoding)}})},
+                      {"containerName", container}}));
+    for (const Entry& each : entry.inside) add_flat(sources, each, entry.name, uri, encoding, out);
+}
+
+}  // namespace
+
+Json script_symbols(const ScriptReading& reading, SourceId source, const std::string& uri, Encoding encoding,
+                    bool hierarchical) {
+    Json result = Json::array();
+    for (const Entry& each : Outline(reading, source).list(reading.script.decls, {})) {
+        if (hierarchical)
+            result.push_back(symbol(reading.sources, each, encoding));
+        else
+            add_flat(reading.sources, each, {}, uri, encoding, result);
+    }
+    return result;
+}
+
+}  // namespace robochart::lsp

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// The outline of a script.
+#pragma once
+
+#include "editors/server/cspm/scripts.hpp"
+
+namespace robochart::lsp {
+
+/// The declarations of a text in textual order: DocumentSymbols, or SymbolInformation for editors that support only
+/// that.
+[[nodiscard]] Json script_symbols(const ScriptReading&, SourceId, const std::string& uri, Encoding, bool hierarchical);
+
+}  // namespace robochart::lsp

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Offers the fixes of rules as quick fixes.
+#include <fmt/format.h>
+
+#include "base/diagnostics/fixes.hpp"
+#include "editors/server/features/features.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+using diagnostics::Diagnostic;
+using diagnostics::FixIt;
+
+bool overlaps(Span a, Span b) {
+    return a.source == b.source && a.begin <= b.end && b.begin <= a.end;
+}
+
+std::string title_of(const FixIt& fix, std::string_view replaced) {
+    if (replaced.empty()) return fmt::format("Insert `{}`", fix.replacement);
+    if (fix.replacement.empty()) return fmt::format("Remove `{}`", replaced);
+    return fmt::format("Change `{}` to `{}`", replaced, fix.replacement);
+}
+
+/// The editor's diagnostic that the fix belongs to, so that it can show both together.
+Json matching(View context, const Diagnostic& finding, const Json& place) {
+    for (const View shown : context["diagnostics"].items())
+        if (shown["code"].text() == finding.rule->code && shown["range"].json() == place)
+            return Json::array({shown.json()});
+    return {};
+}
+
+Json action(const Session& session, const Target& target, const Diagnostic& finding, const FixIt& fix, View context) {
+    const SourceManager& sources = target.project.sources();
+    const Encoding encoding = session.client.encoding;
+    const std::string_view replaced =
+        sources.text(fix.span.source).substr(fix.span.begin, fix.span.end - fix.span.begin);
+    const Json edit = Json::object({{"range", range(sources, fix.span, encoding)}, {"newText", fix.replacement}});
+    const Document* edited = target.project.find(fix.span.source);
+    Json changes;
+    changes[edited != nullptr ? edited->uri : target.document.uri] = Json::array({edit});
+    Json result = Json::object({{"title", title_of(fix, replaced)},
+                                {"kind", "quickfix"},
+                                {"isPreferred", &fix == &finding.fixes.front() && diagnostics::is_certain(fix)},
+                                {"edit", Json::object({{"changes", std::move(changes)}})}});
+    Json shown = matching(context, finding, range(sources, finding.span, encoding));
+    if (!shown.is_null()) result["diagnostics"] = std::move(shown);
+    return result;
+}
+
+}  // namespace
+
+Json code_actions(Session& session, View params) {
+    const Target target = target_of(session, params);
+    const Span asked =
+        span_of(target.project.sources(), target.document.source, params["range"], session.client.encoding);
+    const View only = params["context"]["only"];
+    Json list = Json::array();
+    for (const View kind : only.items())
+        if (kind.text() != "quickfix" && kind.text() != "" && only.items().size() == 1) return list;
+    for (const Diagnostic& finding : findings_about(target)) {
+        if (!overlaps(finding.span, asked)) continue;
+        for (const FixIt& fix : finding.fixes)
+            if (fix.span.known()) list.push_back(action(session, target, finding, fix, params["context"]));
+    }
+    return list;
+}
+
+}  // namespace robochart::lsp

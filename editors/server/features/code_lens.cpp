@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Commands in the text: "check" above each assertion, "draw" and "step" above each module, controller and machine. The
+// editor runs them, because they may take long and need its windows.
+
+#include "frontend/diagrams/notation/subjects.hpp"
+#include "editors/server/features/capabilities.hpp"
+#include "editors/server/features/features.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+/// The lenses of one document. Each has a command that the editor supports; its arguments are the document's URI and a
+/// name.
+class Lenses {
+public:
+    Lenses(Session& session, View params) : session_(session), target_(target_of(session, params)) {}
+
+    Json find() {
+        for (const frontend::Assertion& each : target_.project.tree(target_.document).assertions)
+            // The parser makes up a name, with an empty span, for an assertion without one.
+            if (each.name_span.begin != each.name_span.end) add("check", check_command, each.name_span, each.name);
+        for (const auto& each : target_.project.tree(target_.document).probabilistic_assertions)
+            if (each.name_span.begin != each.name_span.end) add("check", check_command, each.name_span, each.name);
+        for (const diagrams::Subject& each : diagrams::subjects(target_.project.model(), target_.project.sources())) {
+            if (!is_component(each)) continue;
+            add("draw", draw_command, each.component->name_span, each.name);
+            add("step", step_command, each.component->name_span, each.name);
+        }
+        return std::move(result_);
+    }
+
+private:
+    /// True for a component of the document that has a process.
+    [[nodiscard]] bool is_component(const diagrams::Subject& subject) const {
+        if (subject.component == nullptr || subject.component->span.source != target_.document.source) return false;
+        const Span name = subject.component->name_span;
+        const frontend::DeclKind kind = subject.component->kind;
+        return name.begin != name.end &&
+               (kind == frontend::DeclKind::module || kind == frontend::DeclKind::controller ||
+                kind == frontend::DeclKind::state_machine);
+    }
+    void add(const char* title, const char* command, Span place, const std::string& name) {
+        if (!session_.client.commands.contains(command)) return;
+        const Json run = Json::object(
+            {{"title", title}, {"command", command}, {"arguments", Json::array({target_.document.uri, name})}});
+        result_.push_back(Json::object(
+            {{"range", range(target_.project.sources(), place, session_.client.encoding)}, {"command", run}}));
+    }
+
+    Session& session_;
+    const Target target_;
+    Json result_ = Json::array();
+};
+
+}  // namespace
+
+Json code_lenses(Session& session, View params) {
+    return Lenses(session, params).find();
+}
+
+}  // namespace robochart::lsp

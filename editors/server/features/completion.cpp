@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: Apache-2.0
+// Completion: the names and keywords that are allowed at a place.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "frontend/types/types.hpp"
+#include "editors/server/features/completion_context.hpp"
+#include "editors/server/features/completion_words.hpp"
+#include "editors/server/features/csp_blocks.hpp"
+#include "editors/server/features/features.hpp"
+#include "editors/server/workspace/describe.hpp"
+#include "editors/server/workspace/visible.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+using namespace frontend;
+
+/// The nearness of a name, by which the list is sorted.
+enum class Rank { scope = 1, project = 2, word = 3, snippet = 4 };
+
+bool is_node(DeclKind kind) {
+    return kind == DeclKind::state || kind == DeclKind::initial || kind == DeclKind::final ||
+           kind == DeclKind::junction || kind == DeclKind::probabilistic;
+}
+bool is_value(DeclKind kind) {
+    return kind == DeclKind::variable || kind == DeclKind::constant || kind == DeclKind::parameter;
+}
+bool is_type(DeclKind kind) {
+    return kind == DeclKind::primitive_type || kind == DeclKind::record_type || kind == DeclKind::enumeration;
+}
+bool is_component(DeclKind kind) {
+    return kind == DeclKind::module || kind == DeclKind::controller || kind == DeclKind::state_machine ||
+           kind == DeclKind::operation || kind == DeclKind::platform || kind == DeclKind::reference;
+}
+
+class Completer {
+public:
+    Completer(const Session& session, const Target& target)
+        : session_(session),
+          model_(target.project.model()),
+          file_(target.project.tree(target.document)),
+          sources_(target.project.sources()),
+          source_(target.document.source),
+          context_(context_at(sources_, target.document.source, target.document.is_assertions, target.offset)) {
+        edit_range_ = range(sources_, context_.prefix, session.client.encoding);
+        for (const Enclosing& each : context_.enclosing) {
+            const Declaration* found = declared_at(file_, each.name);
+            if (found == nullptr) continue;
+            if (dynamic_cast<const NodeContainer*>(found) != nullptr && each.block != Block::transition)
+                container_ = found;
+            const bool scope =
+                dynamic_cast<const frontend::Context*>(found) != nullptr || found->kind == DeclKind::function;
+            if (scope) scope_ = found;
+        }
+    }
+
+    Json run() {
+        if (!context_.qualifier.empty())
+            qualified();
+        else if (!context_.value.empty())
+            fields();
+        else
+            plain();
+        return Json::object({{"isIncomplete", false}, {"items", std::move(items_)}});
+    }
+
+private:
+    // Items
+
+    void add(const std::string& label, int kind, Rank rank, const std::string& about, const std::string& text,
+             bool snippet = false) {
+        if (!seen_.insert(label).second) return;
+        Json item = Json::object({{"label", label},
+                                  {"kind", kind},
+                                  {"sortText", fmt::format("{}{}", static_cast<int>(rank), label)},
+                                  {"textEdit", Json::object({{"range", edit_range_}, {"newText", text}})}});
+        if (!about.empty()) item["detail"] = about;
+        if (snippet) item["insertTextFormat"] = 2;
+        items_.push_back(std::move(item));
+    }
+    void add(const Declaration& declaration, Rank rank) {
+        if (declaration.name.empty()) return;
+        const std::string text = is_reserved(declaration.name) ? "^" + declaration.name : declaration.name;
+        add(declaration.name, completion_kind(declaration), rank, detail(declaration), text);
+    }
+    void words(const std::vector<std::string_view>& list) {
+        constexpr int keyword = 14;
+        for (const std::string_view word : list) add(std::string(word), keyword, Rank::word, "", std::string(word));
+    }
+    void package(const std::string& name) {
+        constexpr int module_kind = 9;
+        add(name, module_kind, Rank::project, "package", name);
+    }
+
+    template <class Filter>
+    void from_scope(const Filter& filter) {
+        if (scope_ == nullptr) return;
+        if (const auto* function = dynamic_cast<const Function*>(scope_))
+            for (const auto& parameter : function->parameters)
+                if (filter(parameter->kind)) add(*parameter, Rank::scope);
+        for (const Declaration* each : members_of(*scope_))
+            if (filter(each->kind)) add(*each, Rank::scope);
+    }
+    template <class Filter>
+    void from_project(const Filter& filter) {
+        for (const Declaration* each : visible_from(model_, file_))
+            if (filter(each->kind)) add(*each, Rank::project);
+    }
+    /// Adds the components inside the controllers and modules that contain the place.
+    template <class Filter>
+    void from_parts(const Filter& filter) {
+        for (const Enclosing& each : context_.enclosing)
+            if (const auto* component = dynamic_cast<const Component*>(declared_at(file_, each.name)))
+                for (const Declaration* part : component->order)
+                    if (filter(part->kind)) add(*part, Rank::scope);
+    }
+    void packages() {
+        for (const std::string& name : packages_behind(model_, {})) package(name);
+    }
+
+    // The expected construct
+
+    void plain() {
+        switch (context_.wanted) {
+            case Wanted::nothing:
+                return;
+            case Wanted::member:
+                return member();
+            case Wanted::continuation:
+                words(infix_words(context_.enclosing.back().block, file_.is_assertions));
+                return member();
+            case Wanted::source:
+                return nodes(DeclKind::final);
+            case Wanted::target:
+                return nodes(DeclKind::initial);
+            case Wanted::event:
+                return from_scope([](DeclKind kind) { return kind == DeclKind::event; });
+            case Wanted::interface:
+                from_project([](DeclKind kind) { return kind == DeclKind::interface; });
+                return packages();
+            case Wanted::type:
+                from_project(is_type);
+                words(type_words());
+                return packages();
+            case Wanted::reference:
+                return referred();
+            case Wanted::clock:
+                return from_scope([](DeclKind kind) { return kind == DeclKind::clock; });
+            case Wanted::state:
+                return states();
+            case Wanted::variable:
+                return from_scope([](DeclKind kind) { return kind == DeclKind::variable; });
+            case Wanted::expression:
+                return expression();
+            case Wanted::statement:
+                return statement();
+            case Wanted::branch:
+                statement();
+                return expression();
+            case Wanted::connection_node:
+                return connection_nodes();
+            case Wanted::connection_event:
+                return connection_events();
+            case Wanted::import:
+                return imports();
+            case Wanted::component:
+                from_project(is_component);
+                blocks();
+                return packages();
+            case Wanted::property:
+                return words(property_words());
+            case Wanted::rule:
+                return rules();
+        }
+    }
+
+    /// The rules in the files of the assertion file's folder.
+    void rules() {
+        constexpr int function = 3;
+        const std::string& path = sources_.path(source_);
+        const std::string folder = path.substr(0, std::min(path.rfind('/'), path.size()));
+        for (const auto& [rule, file] : session_.rule_names(folder)) add(rule, function, Rank::scope, file, rule);
+    }
+
+    void member() {
+        const Block block = context_.enclosing.back().block;
+        words(file_.is_assertions ? assertion_member_words() : member_words(block, context_.word));
+        if (!session_.client.snippets || file_.is_assertions) return;
+        constexpr int snippet = 15;
+        for (const Snippet& each : snippets(block))
+            add(std::string(each.label), snippet, Rank::snippet, "snippet", std::string(each.text), true);
+    }
+
+    void nodes(DeclKind except) {
+        const auto* container = dynamic_cast<const NodeContainer*>(container_);
+        if (container == nullptr) return;
+        for (const auto& node : container->nodes)
+            if (node->kind != except) add(*node, Rank::scope);
+    }
+
+    /// Adds states at any depth, outer ones first.
+    void states() {
+        const auto* machine = dynamic_cast<const Machine*>(scope_);
+        std::vector<const NodeContainer*> level;
+        if (machine != nullptr) level.push_back(machine);
+        for (std::size_t i = 0; i < level.size(); ++i)
+            for (const auto& node : level[i]->nodes) {
+                if (node->kind == DeclKind::state) add(*node, Rank::scope);
+                level.push_back(node.get());
+            }
+    }
+
+    void referred() {
+        const DeclKind kind = context_.word == "sref"   ? DeclKind::state_machine
+                              : context_.word == "cref" ? DeclKind::controller
+                              : context_.word == "rref" ? DeclKind::platform
+                                                        : DeclKind::operation;
+        from_parts([&](DeclKind each) { return each == kind; });
+        from_project([&](DeclKind each) { return each == kind; });
+        packages();
+    }
+
+    void bound() {
+        constexpr int variable = 6;
+        for (const std::string& name : context_.bound) add(name, variable, Rank::scope, "", name);
+    }
+
+    void expression() {
+        bound();
+        from_scope(is_value);
+        from_project([](DeclKind kind) {
+            return kind == DeclKind::function || kind == DeclKind::enum_literal || kind == DeclKind::enumeration ||
+                   kind == DeclKind::record_type;
+        });
+        words(expression_words());
+    }
+
+    void statement() {
+        from_scope([](DeclKind kind) {
+            return kind == DeclKind::operation_signature || kind == DeclKind::event || kind == DeclKind::variable;
+        });
+        words(statement_words());
+    }
+
+    const Component* component() const {
+        for (auto each = context_.enclosing.rbegin(); each != context_.enclosing.rend(); ++each)
+            if (const auto* found = dynamic_cast<const Component*>(declared_at(file_, each->name))) return found;
+        return nullptr;
+    }
+
+    void connection_nodes() {
+        const Component* around = component();
+        if (around == nullptr) return;
+        for (const Declaration* part : around->order) add(*part, Rank::scope);
+        if (around->kind == DeclKind::controller) add(*around, Rank::scope);
+    }
+
+    void connection_events() {
+        const Component* around = component();
+        if (around == nullptr || context_.path.empty()) return;
+        const Declaration* node = around->name == context_.path.front() ? around : nullptr;
+        for (const Declaration* part : around->order)
+            if (part->name == context_.path.front()) node = part;
+        if (node == nullptr) return;
+        for (const Declaration* each : members_of(*node))
+            if (each->kind == DeclKind::event) add(*each, Rank::scope);
+    }
+
+    void imports() {
+        packages();
+        for (const std::string_view name : toolkit_packages()) package(std::string(name));
+    }
+
+    void blocks() {
+        constexpr int function = 3;
+        for (const auto& file : model_.files)
+            for (const CspBlock& block : file->csp_blocks) add(block.name, function, Rank::project, "csp", block.name);
+    }
+
+    /// After `A::B::`: adds the names of suitable kinds.
+    void qualified() {
+        const auto fits = [&](DeclKind kind) {
+            switch (context_.wanted) {
+                case Wanted::interface:
+                    return kind == DeclKind::interface;
+                case Wanted::type:
+                    return is_type(kind);
+                case Wanted::expression:
+                case Wanted::branch:
+                case Wanted::statement:
+                    return kind == DeclKind::enum_literal || kind == DeclKind::enumeration ||
+                           kind == DeclKind::function || kind == DeclKind::record_type;
+                case Wanted::state:
+                    return is_node(kind);
+                default:
+                    return kind != DeclKind::transition && kind != DeclKind::field;
+            }
+        };
+        for (const Declaration* each : behind(model_, file_, context_.qualifier))
+            if (fits(each->kind)) add(*each, Rank::scope);
+        for (const std::string& name : packages_behind(model_, context_.qualifier)) package(name);
+        if (context_.wanted == Wanted::import) add("*", 14, Rank::word, "everything", "*");
+    }
+
+    /// After `a[1].f.`: adds fields. After an event, a value is expected instead.
+    void fields() {
+        const auto first = [&](const Declaration* each) { return each->name == context_.value.front(); };
+        if (scope_ == nullptr) return;
+        const auto members = members_of(*scope_);
+        const auto found = std::ranges::find_if(members, first);
+        if (found == members.end()) return;
+        if ((*found)->kind == DeclKind::event) return expression();
+        const auto* variable = dynamic_cast<const Variable*>(*found);
+        TypePtr type = variable != nullptr ? variable->type : nullptr;
+        for (std::size_t i = 1; i < context_.value.size() && type; ++i) type = part_of(*type, context_.value[i]);
+        if (!type || type->form != TypeForm::record) return;
+        for (const auto& field : type->declaration->fields) add(*field, Rank::scope);
+    }
+
+    static TypePtr part_of(const Type& type, const std::string& step) {
+        const bool indexed =
+            type.form == TypeForm::sequence || type.form == TypeForm::vector || type.form == TypeForm::matrix;
+        if (step.empty()) return indexed ? type.args[0] : nullptr;
+        if (type.form != TypeForm::record) return nullptr;
+        const auto* field = dynamic_cast<const Variable*>(member_of(*type.declaration, step));
+        return field != nullptr ? field->type : nullptr;
+    }
+
+    const Session& session_;
+    const Model& model_;
+    const File& file_;
+    const SourceManager& sources_;
+    SourceId source_;
+    CompletionContext context_;
+    Json edit_range_;
+    const Declaration* scope_ = nullptr;      ///< the component or function that contains the place
+    const Declaration* container_ = nullptr;  ///< the innermost machine, operation or state that contains it
+    Json items_ = Json::array();
+    std::set<std::string> seen_;
+};
+
+}  // namespace
+
+Json completion(Session& session, View params) {
+    const Target target = target_of(session, params);
+    if (std::optional<Json> in_block = completion_in_block(session, target)) return std::move(*in_block);
+    return Completer(session, target).run();
+}
+
+}  // namespace robochart::lsp

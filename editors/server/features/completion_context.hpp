@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Determines what is allowed at a place of a text that is being written. It uses the tokens before the place and not
+// the tree, because the text usually has syntax errors while it is written.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "frontend/syntax/lexer.hpp"
+#include "editors/server/protocol/positions.hpp"
+
+namespace robochart::lsp {
+
+/// The kind of body that contains the place.
+enum class Block {
+    file,
+    interface,
+    platform,
+    controller,
+    module,
+    machine,
+    operation,
+    function,
+    state,
+    transition,
+    type,     ///< of a datatype or enumeration
+    bracket,  ///< a set, or a deadline
+};
+
+struct Enclosing {
+    Block block = Block::file;
+    Span name;              ///< the owner of the body; unknown for brackets and the file
+    std::size_t begin = 0;  ///< index of the first token inside
+};
+
+/// The construct that the grammar expects at the place.
+enum class Wanted {
+    nothing,       ///< a new name, or inside a comment or string
+    member,        ///< the beginning of a member of the body
+    continuation,  ///< after a complete operand: an infix operator or the next member
+    source,        ///< a node that a transition may leave
+    target,        ///< a node that it may enter
+    event,
+    interface,
+    type,
+    reference,  ///< the target of `sref n =` and similar; `word` is the keyword
+    clock,
+    state,     ///< of sinceEntry
+    variable,  ///< a variable that receives a value
+    expression,
+    statement,
+    branch,  ///< after `then` or `else`: a statement or an expression
+    connection_node,
+    connection_event,  ///< an event of the node `path`
+    import,
+    component,  ///< in an assertion
+    property,   ///< after `is` in an assertion
+    rule,       ///< after `conforms to` in an assertion
+};
+
+/// The context of a completion. A step from a value to a part of it is a field's name, or "" for an index.
+struct CompletionContext {
+    Wanted wanted = Wanted::nothing;
+    std::vector<Enclosing> enclosing;    ///< outermost first; the file is always included
+    Span prefix;                         ///< the letters already written
+    std::vector<std::string> qualifier;  ///< `A`, `B` of `A::B::`
+    std::vector<std::string> value;      ///< `a`, "", `f` of `a[1].f.`: a field is expected
+    std::vector<std::string> path;       ///< connection_event: the node's name
+    std::string word;                    ///< reference: the keyword; transition members: the last clause written
+    std::vector<std::string> bound;      ///< variables of binders before the place
+};
+
+/// Looks at the words before an offset.
+[[nodiscard]] CompletionContext context_at(const SourceManager&, SourceId, bool is_assertions, std::uint32_t offset);
+
+}  // namespace robochart::lsp

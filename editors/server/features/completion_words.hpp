@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The keywords that are allowed at a place, for completion (RoboChart.xtext, Assertions.xtext).
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "editors/server/features/completion_context.hpp"
+
+namespace robochart::lsp {
+
+/// A template of a member, with placeholders of LSP snippets.
+struct Snippet {
+    std::string_view label;
+    std::string_view text;
+};
+
+/// The keywords that begin a member of a body. In a transition, only those after its last clause.
+[[nodiscard]] std::vector<std::string_view> member_words(Block block, std::string_view last_clause);
+[[nodiscard]] const std::vector<std::string_view>& assertion_member_words();
+/// The keywords that may follow a complete operand.
+[[nodiscard]] std::vector<std::string_view> infix_words(Block block, bool is_assertions);
+[[nodiscard]] const std::vector<std::string_view>& type_words();
+[[nodiscard]] const std::vector<std::string_view>& expression_words();
+[[nodiscard]] const std::vector<std::string_view>& statement_words();
+[[nodiscard]] const std::vector<std::string_view>& property_words();
+[[nodiscard]] const std::vector<std::string_view>& toolkit_packages();
+[[nodiscard]] const std::vector<Snippet>& snippets(Block block);
+
+}  // namespace robochart::lsp

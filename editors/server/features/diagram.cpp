@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+// The diagram of the component at a place, with the places of its elements in the text. While the text has syntax
+// errors, the last picture is used.
+#include "editors/server/features/diagram.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "frontend/diagrams/layout/arrange.hpp"
+#include "frontend/diagrams/stored/stored_diagrams.hpp"
+#include "frontend/diagrams/svg/svg.hpp"
+#include "frontend/syntax/print.hpp"
+#include "editors/server/features/features.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+using diagrams::Subject;
+
+/// The parameters of a request.
+struct DiagramParameters {
+    bool at_position = false;
+    std::string component;  ///< "" for none
+    diagrams::Theme theme = diagrams::Theme::automatic;
+};
+
+[[noreturn]] void refuse(const char* why) {
+    throw Refusal(ErrorCode::invalid_params, why);
+}
+
+diagrams::Theme theme_of(View theme) {
+    if (theme.is_null() || theme.text() == "auto") return diagrams::Theme::automatic;
+    if (theme.text() == "light") return diagrams::Theme::light;
+    if (theme.text() == "dark") return diagrams::Theme::dark;
+    refuse("theme must be `auto`, `light` or `dark`");
+}
+
+DiagramParameters diagram_parameters(View params) {
+    const View position = params["position"];
+    const View component = params["component"];
+    if (!position.is_null() && !(position["line"].is_number() && position["character"].is_number()))
+        refuse("position must have a line and a character");
+    if (!component.is_null() && !component.is_text()) refuse("component must be a text");
+    return {!position.is_null(), component.text(), theme_of(params["theme"])};
+}
+
+// ---------------------------------------------------------------- the requested component
+
+Span span_of_declaration(const frontend::Declaration& declaration) {
+    return diagnostics::join(declaration.span, declaration.name_span);
+}
+
+bool holds(Span span, const Target& target) {
+    return span.source == target.document.source && span.begin <= target.offset && target.offset <= span.end;
+}
+
+/// True if the place is in a type, function or interface, which the diagram of a package shows.
+bool is_in_package(const Subject& subject, const Target& target) {
+    const auto has_place = [&](const frontend::File* file) {
+        return std::ranges::any_of(file->declarations,
+                                   [&](const auto& each) { return holds(span_of_declaration(*each), target); });
+    };
+    return std::ranges::any_of(subject.files, has_place);
+}
+
+/// The innermost component that contains a place; null if there is none.
+const Subject* subject_at(const std::vector<Subject>& subjects, const Target& target) {
+    const Subject* best = nullptr;
+    std::uint32_t least = 0;
+    for (const Subject& each : subjects) {
+        if (each.component == nullptr) continue;
+        const Span span = span_of_declaration(*each.component);
+        if (!holds(span, target) || (best != nullptr && span.end - span.begin >= least)) continue;
+        best = &each;
+        least = span.end - span.begin;
+    }
+    if (best != nullptr) return best;
+    const auto package = std::ranges::find_if(
+        subjects, [&](const Subject& each) { return each.component == nullptr && is_in_package(each, target); });
+    return package != subjects.end() ? &*package : nullptr;
+}
+
+bool is_of(const Subject& subject, SourceId source) {
+    if (subject.component != nullptr) return subject.component->span.source == source;
+    return std::ranges::any_of(subject.files, [&](const frontend::File* file) { return file->source == source; });
+}
+
+/// The component with this name or with a name that ends with it. Components of the document are preferred, and full
+/// names before others.
+const Subject* subject_called(const std::vector<Subject>& subjects, const std::string& name, SourceId source) {
+    const Subject* best = nullptr;
+    int rank = 0;
+    for (const Subject& each : subjects) {
+        const bool whole = each.name == name;
+        if (!whole && !each.name.ends_with("::" + name)) continue;
+        const int here = 1 + (whole ? 2 : 0) + (is_of(each, source) ? 4 : 0);
+        if (here > rank) best = &each;
+        rank = std::max(rank, here);
+    }
+    return best;
+}
+
+const Subject* first_of(const std::vector<Subject>& subjects, SourceId source) {
+    const auto found = std::ranges::find_if(subjects, [&](const Subject& each) { return is_of(each, source); });
+    return found != subjects.end() ? &*found : nullptr;
+}
+
+/// The selected component.
+struct Choice {
+    const Subject* subject = nullptr;
+    bool certain = false;  ///< the one at the place or with the name, not only the file's first
+};
+
+Choice choose(const std::vector<Subject>& subjects, const Target& target, const DiagramParameters& wanted) {
+    const SourceId source = target.document.source;
+    if (wanted.at_position)
+        if (const Subject* found = subject_at(subjects, target)) return {found, true};
+    if (!wanted.component.empty())
+        if (const Subject* found = subject_called(subjects, wanted.component, source)) return {found, true};
+    const bool only_named = !wanted.at_position && !wanted.component.empty();
+    return {only_named ? nullptr : first_of(subjects, source), false};
+}
+
+/// The documents that contain a component or package.
+std::vector<const Document*> documents_of(const Subject& subject, Project& project) {
+    std::vector<const Document*> result;
+    if (subject.component != nullptr) result.push_back(project.find(subject.component->span.source));
+    for (const frontend::File* file : subject.files) result.push_back(project.find(file->source));
+    std::erase(result, nullptr);
+    return result;
+}
+
+std::string kind_of(const Subject& subject) {
+    return subject.component != nullptr ? std::string(frontend::to_text(subject.component->kind)) : "package";
+}
+
+// ---------------------------------------------------------------- the answer
+
+/// The elements that a picture shows, by their index.
+std::set<std::size_t> shown_in(const diagrams::Picture& picture) {
+    std::set<std::size_t> result;
+    const auto add = [&](std::size_t element, const std::vector<diagrams::Text>& texts) {
+        result.insert(element);
+        for (const diagrams::Text& text : texts) result.insert(text.element);
+    };
+    for (const diagrams::PictureBox& box : picture.boxes) add(box.element, box.texts);
+    for (const diagrams::PictureLine& line : picture.lines)
+        if (line.points.size() >= 2) add(line.element, line.texts);
+    result.erase(diagrams::none);
+    return result;
+}
+
+Json places_of(const Session& session, Project& project, const diagrams::Picture& picture,
+               const diagrams::Elements& elements) {
+    Json result = Json::array();
+    for (const std::size_t index : shown_in(picture)) {
+        const diagrams::Element& element = elements.all()[index];
+        Json place = location(session, project, element.span);
+        if (place.is_null()) continue;
+        const Span name = element.name_span.known() ? element.name_span : element.span;
+        result.push_back(Json::object({{"id", element.id},
+                                       {"kind", element.kind},
+                                       {"name", element.name},
+                                       {"uri", std::move(place["uri"])},
+                                       {"range", std::move(place["range"])},
+                                       {"selectionRange", range(project.sources(), name, session.client.encoding)}}));
+    }
+    return result;
+}
+
+Json version_of(const std::optional<std::int64_t>& version) {
+    return version ? Json(*version) : Json(nullptr);
+}
+
+Json answer_of(const DrawnDiagram& drawn, const std::string& component, diagrams::Theme theme, bool stale) {
+    return Json::object({{"version", version_of(drawn.version)},
+                         {"component", component},
+                         {"svg", diagrams::svg(drawn.picture, drawn.elements, {theme, ""})},
+                         {"elements", drawn.places},
+                         {"stale", stale}});
+}
+
+/// Draws a component from its current text.
+DrawnDiagram draw_now(Session& session, const Target& target, const Subject& subject, diagrams::Memory& memory) {
+    DrawnDiagram result{diagrams::Elements(target.project.model()), {}, nullptr, target.document.version};
+    const diagrams::StoredDiagrams stored(target.project.model(), target.project.sources(), session.diagrams->files,
+                                          session.budget);
+    try {
+        result.picture =
+            diagrams::draw(subject, {result.elements, &memory, session.budget, stored.find(subject.component)});
+    } catch (const diagrams::layout::TooLarge& large) {
+        throw Refusal(ErrorCode::request_failed, large.what());
+    }
+    result.places = places_of(session, target.project, result.picture, result.elements);
+    return result;
+}
+
+/// The kept diagram that is shown while the text has errors: of the requested component, otherwise the latest of the
+/// document. Null if there is none.
+const KeptDiagram* stand_in(const KeptDiagrams& kept, const std::string& uri, const Choice& choice,
+                            const std::string& component) {
+    const KeptDiagram* found = choice.certain ? kept.last(uri, choice.subject->name) : nullptr;
+    if (found == nullptr && !component.empty()) found = kept.last(uri, component);
+    if (found == nullptr && !choice.certain) found = kept.last(uri, "");
+    return found;
+}
+
+}  // namespace
+
+KeptDiagram& KeptDiagrams::use(const std::string& uri, const std::string& kind, const std::string& name) {
+    const auto found = std::ranges::find_if(
+        entries_, [&](const KeptDiagram& each) { return each.uri == uri && each.kind == kind && each.name == name; });
+    if (found != entries_.end()) {
+        entries_.splice(entries_.begin(), entries_, found);
+    } else {
+        entries_.push_front({uri, kind, name, {}, {}});
+    }
+    if (entries_.size() > most) entries_.pop_back();
+    return entries_.front();
+}
+
+const KeptDiagram* KeptDiagrams::last(std::string_view uri, std::string_view name) const {
+    const auto found = std::ranges::find_if(entries_, [&](const KeptDiagram& each) {
+        return each.drawn && each.uri == uri && (name.empty() || each.name == name);
+    });
+    return found != entries_.end() ? &*found : nullptr;
+}
+
+Json diagram(Session& session, View params) {
+    const Target target = target_of(session, params);
+    const DiagramParameters wanted = diagram_parameters(params);
+    if (!session.diagrams) session.diagrams = std::make_shared<KeptDiagrams>();
+    KeptDiagrams& kept = *session.diagrams;
+    kept.asked.insert(target.document.uri);
+    const std::vector<Subject> subjects = diagrams::subjects(target.project.model(), target.project.sources());
+    const Choice choice = choose(subjects, target, wanted);
+    std::vector<const Document*> documents = {&target.document};
+    if (choice.subject != nullptr) documents = documents_of(*choice.subject, target.project);
+    const std::string uri = documents.empty() ? target.document.uri : documents.front()->uri;
+    const bool broken = std::ranges::any_of(documents, [](const Document* each) { return !each->findings.ok(); });
+    if (broken)
+        if (const KeptDiagram* old = stand_in(kept, uri, choice, wanted.component))
+            return answer_of(*old->drawn, old->name, wanted.theme, true);
+    if (choice.subject == nullptr) return nullptr;
+    KeptDiagram& entry = kept.use(uri, kind_of(*choice.subject), choice.subject->name);
+    DrawnDiagram now = draw_now(session, target, *choice.subject, entry.memory);
+    Json answer = answer_of(now, entry.name, wanted.theme, false);
+    // A diagram of a text with errors may lack parts, so it is not kept.
+    if (!broken) entry.drawn = std::move(now);
+    return answer;
+}
+
+void announce_diagrams(Session& session, const Project& project) {
+    if (!session.diagrams) return;
+    std::set<std::string>& asked = session.diagrams->asked;
+    std::erase_if(asked, [&](const std::string& uri) { return !session.workspace.find(uri); });
+    for (const std::string& uri : asked) {
+        const Workspace::Place place = session.workspace.find(uri);
+        if (place.project != &project) continue;
+        const Json params = Json::object({{"uri", uri}, {"version", version_of(place.document->version)}});
+        session.send(Json::object({{"jsonrpc", "2.0"}, {"method", diagram_notification}, {"params", params}}));
+    }
+}
+
+}  // namespace robochart::lsp

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Diagrams next to the text: the project's own requests and notifications `robochart/diagram` and
+// `robochart/diagramChanged` (docs/lsp.md, "Diagrams").
+#pragma once
+
+#include <list>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "frontend/diagrams/notation/memory.hpp"
+#include "frontend/diagrams/notation/subjects.hpp"
+#include "frontend/diagrams/stored/aird_files.hpp"
+#include "editors/server/workspace/session.hpp"
+
+namespace robochart::lsp {
+
+inline constexpr const char* diagram_request = "robochart/diagram";
+inline constexpr const char* diagram_notification = "robochart/diagramChanged";
+
+/// A diagram with the places of its elements.
+struct DrawnDiagram {
+    diagrams::Elements elements;
+    diagrams::Picture picture;
+    Json places;  ///< of the elements, as sent in the answer
+    std::optional<std::int64_t> version;
+};
+
+/// A drawn component: its layout, and its last diagram of a text without syntax errors.
+struct KeptDiagram {
+    std::string uri;   ///< of the document that it is in
+    std::string kind;  ///< of the declaration; "package" for a package
+    std::string name;
+    diagrams::Memory memory;
+    std::optional<DrawnDiagram> drawn;
+};
+
+/// The components that were drawn most recently, and the documents whose diagrams the editor has requested.
+class KeptDiagrams {
+public:
+    /// Returns the entry of a component as the most recent one; creates it if necessary. The oldest entry may be
+    /// dropped.
+    KeptDiagram& use(const std::string& uri, const std::string& kind, const std::string& name);
+    /// The latest entry of a document that has a picture and, unless `name` is "", this name; null if there is none.
+    [[nodiscard]] const KeptDiagram* last(std::string_view uri, std::string_view name) const;
+
+    std::set<std::string> asked;  ///< URIs
+    diagrams::AirdFiles files;    ///< RoboTool's files with diagrams
+
+private:
+    static constexpr std::size_t most = 16;
+    std::list<KeptDiagram> entries_;  ///< most recent first
+};
+
+/// Notifies the editor that diagrams of documents of the project may have changed, if it has requested any.
+void announce_diagrams(Session&, const Project&);
+
+}  // namespace robochart::lsp

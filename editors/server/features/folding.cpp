@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Foldable ranges: braces over several lines, comments, runs of imports.
+#include "frontend/syntax/lexer.hpp"
+#include "editors/server/features/features.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+using frontend::Token;
+
+class Folds {
+public:
+    Folds(const SourceManager& sources, SourceId source) : sources_(sources), source_(source) {}
+
+    /// The last line stays visible if it contains the closing brace.
+    void add(std::uint32_t begin, std::uint32_t end, const char* kind, bool keep_last) {
+        const std::uint32_t first = line(begin);
+        const std::uint32_t last = line(end) - (keep_last ? 1 : 0);
+        if (last <= first) return;
+        Json fold = Json::object({{"startLine", first - 1}, {"endLine", last - 1}});
+        if (*kind != '\0') fold["kind"] = kind;
+        result_.push_back(std::move(fold));
+    }
+    void braces(const frontend::TokenStream& stream) {
+        std::vector<std::uint32_t> open;
+        for (const Token& token : stream.tokens) {
+            if (token.is("{") || token.is("<{")) open.push_back(token.span.begin);
+            if (token.is("}") && !open.empty()) {
+                add(open.back(), token.span.begin, "", true);
+                open.pop_back();
+            }
+            if (token.kind == frontend::TokenKind::csp_code) add(token.span.begin, token.span.end, "", true);
+        }
+    }
+    /// Comments on consecutive lines are folded together.
+    void comments(const std::vector<Span>& list) {
+        for (std::size_t i = 0; i < list.size();) {
+            std::size_t last = i;
+            while (last + 1 < list.size() && line(list[last + 1].begin) == line(list[last].end) + 1) ++last;
+            add(list[i].begin, list[last].end, "comment", false);
+            i = last + 1;
+        }
+    }
+    void imports(const frontend::File& file) {
+        if (!file.imports.empty()) add(file.imports.front().span.begin, file.imports.back().span.end, "imports", false);
+    }
+    [[nodiscard]] Json take() { return std::move(result_); }
+
+private:
+    [[nodiscard]] std::uint32_t line(std::uint32_t offset) const { return sources_.position(source_, offset).line; }
+
+    const SourceManager& sources_;
+    SourceId source_;
+    Json result_ = Json::array();
+};
+
+}  // namespace
+
+Json folding_ranges(Session& session, View params) {
+    const Target target = target_of(session, params);
+    const SourceManager& sources = target.project.sources();
+    diagnostics::Diagnostics ignored;
+    const frontend::TokenStream stream =
+        frontend::tokenize(sources, target.document.source, target.document.is_assertions, ignored);
+    Folds folds(sources, target.document.source);
+    folds.braces(stream);
+    folds.comments(stream.comments);
+    folds.imports(target.project.tree(target.document));
+    return folds.take();
+}
+
+}  // namespace robochart::lsp

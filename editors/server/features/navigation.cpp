@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Navigation from names to declarations and back.
+#include <algorithm>
+
+#include "editors/server/features/features.hpp"
+#include "editors/server/workspace/names.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+using frontend::Access;
+using frontend::NameKind;
+using frontend::Occurrence;
+
+Json locations(const Session& session, Project& project, const std::vector<const Occurrence*>& list) {
+    Json result = Json::array();
+    for (const Occurrence* each : list) {
+        Json place = location(session, project, each->span);
+        if (!place.is_null()) result.push_back(std::move(place));
+    }
+    return result;
+}
+
+}  // namespace
+
+/// A declaration of a library is in its installed file. For a call, the definitions of the operation are results as
+/// well as the called signature.
+Json definition(Session& session, View params) {
+    const Target target = target_of(session, params);
+    const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
+    if (name == nullptr) return {};
+    std::vector<const Occurrence*> found;
+    for (const Occurrence* each : same_name(target.project, *name))
+        if (each->declares) found.push_back(each);
+    if (name->target != nullptr && name->target->kind == frontend::DeclKind::operation_signature)
+        for (const Occurrence& each : target.project.occurrences())
+            if (each.declares && each.target != nullptr && each.target->kind == frontend::DeclKind::operation &&
+                each.target->name == name->target->name)
+                found.push_back(&each);
+    Json result = locations(session, target.project, found);
+    if (!found.empty() || name->target == nullptr) return result;
+    Json library = location(session, target.project, name->target->name_span);
+    if (!library.is_null()) result.push_back(std::move(library));
+    return result;
+}
+
+Json references(Session& session, View params) {
+    const Target target = target_of(session, params);
+    const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
+    if (name == nullptr) return Json::array();
+    std::vector<const Occurrence*> found = same_name(target.project, *name);
+    if (!params["context"]["includeDeclaration"].truth(true))
+        std::erase_if(found, [](const Occurrence* each) { return each->declares; });
+    return locations(session, target.project, found);
+}
+
+Json highlights(Session& session, View params) {
+    const Target target = target_of(session, params);
+    const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
+    Json result = Json::array();
+    if (name == nullptr) return result;
+    constexpr int text_kind = 1;
+    constexpr int read_kind = 2;
+    constexpr int write_kind = 3;
+    for (const Occurrence* each : same_name(target.project, *name)) {
+        if (each->span.source != target.document.source) continue;
+        const int kind = each->access == Access::write  ? write_kind
+                         : each->access == Access::read ? read_kind
+                                                        : text_kind;
+        result.push_back(Json::object(
+            {{"range", range(target.project.sources(), each->span, session.client.encoding)}, {"kind", kind}}));
+    }
+    return result;
+}
+
+}  // namespace robochart::lsp

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ranges of "expand selection": the token, then the constructs that contain it, from inside out. Expressions and
+// statements come from the tree; in text with errors, brackets and declarations are still available.
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "frontend/syntax/file_visitor.hpp"
+#include "frontend/syntax/lexer.hpp"
+#include "editors/server/features/features.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+using namespace frontend;
+
+constexpr std::size_t max_depth = 60;
+
+/// The spans that contain one offset.
+class Around {
+public:
+    explicit Around(SourceId source, std::uint32_t offset) : source_(source), offset_(offset) {}
+
+    void add(Span span) {
+        const bool holds = span.source == source_ && span.begin <= offset_ && offset_ <= span.end;
+        if (holds && span.begin < span.end) spans_.insert({span.end - span.begin, span.begin});
+    }
+
+    /// The spans from the smallest outwards, each inside the next. If two overlap, the smaller one is kept.
+    [[nodiscard]] std::vector<Span> nested() const {
+        std::vector<Span> result;
+        for (const auto& [length, begin] : spans_) {
+            const Span span{source_, begin, begin + length};
+            if (result.empty() || (span.begin <= result.back().begin && result.back().end <= span.end))
+                result.push_back(span);
+            // The answer is nested as deeply as the list, so the depth is limited.
+            if (result.size() == max_depth) break;
+        }
+        return result;
+    }
+
+    void visit(const Import& import) { add(import.span); }
+    void visit(const Assertion& assertion) { add(assertion.span); }
+    void visit(const AssertionParameter&) {}
+    void visit(const CspBlock& block) { add(join(block.span, block.text_span)); }
+    void visit(const Declaration& declaration) { add(join(declaration.span, declaration.name_span)); }
+    void visit(const State& state) {
+        add(join(state.span, state.name_span));
+        for (const Action& action : state.actions) add(action.span);
+    }
+    void visit(const InterfaceClause& clause) { add(clause.name.span); }
+    void visit(const TypeExpr& type) { add(type.span); }
+    void visit(const Expr& expression) { add(expression.span); }
+    void visit(const Communication& communication) { add(communication.span); }
+    void visit(const Stmt& statement) { add(statement.span); }
+
+    void brackets(const TokenStream& stream) {
+        std::vector<std::uint32_t> open;
+        for (const Token& token : stream.tokens) {
+            if (token.kind != TokenKind::symbol) {
+                if (token.kind != TokenKind::end) add(token.span);
+                continue;
+            }
+            if (opens(token)) open.push_back(token.span.begin);
+            if (!closes(token) || open.empty()) continue;
+            add({source_, open.back(), token.span.end});
+            open.pop_back();
+        }
+        for (const Span& comment : stream.comments) add(comment);
+    }
+
+private:
+    static bool opens(const Token& token) {
+        return std::ranges::any_of(std::initializer_list<const char*>{"{", "<{", "(", "(|", "[", "[|", "Set(", "Seq("},
+                                   [&](const char* word) { return token.is(word); });
+    }
+    static bool closes(const Token& token) {
+        return std::ranges::any_of(std::initializer_list<const char*>{"}", ")", "|)", "]", "|]"},
+                                   [&](const char* word) { return token.is(word); });
+    }
+
+    SourceId source_;
+    std::uint32_t offset_;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> spans_;  ///< length and beginning
+};
+
+Json chain(const std::vector<Span>& spans, const SourceManager& sources, Encoding encoding) {
+    Json result;
+    for (auto span = spans.rbegin(); span != spans.rend(); ++span) {
+        Json inner = Json::object({{"range", range(sources, *span, encoding)}});
+        if (!result.is_null()) inner["parent"] = std::move(result);
+        result = std::move(inner);
+    }
+    return result;
+}
+
+}  // namespace
+
+Json selection_ranges(Session& session, View params) {
+    const Target target = target_of(session, params);
+    const SourceManager& sources = target.project.sources();
+    const SourceId source = target.document.source;
+    const Encoding encoding = session.client.encoding;
+    diagnostics::Diagnostics ignored;
+    const TokenStream stream = tokenize(sources, source, target.document.is_assertions, ignored);
+    const File& file = target.project.tree(target.document);
+    Json result = Json::array();
+    for (const View position : params["positions"].items()) {
+        const std::uint32_t offset = offset_of(sources, source, position, encoding);
+        Around around(source, offset);
+        around.add({source, 0, static_cast<std::uint32_t>(sources.text(source).size())});
+        around.brackets(stream);
+        Traversal(around).file(file);
+        std::vector<Span> spans = around.nested();
+        if (spans.empty()) spans.push_back({source, offset, offset});
+        result.push_back(chain(spans, sources, encoding));
+    }
+    return result;
+}
+
+}  // namespace robochart::lsp

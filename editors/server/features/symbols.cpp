@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// Outlines of documents, and the search for names over all projects.
+#include <algorithm>
+#include <cctype>
+
+#include "frontend/syntax/print.hpp"
+#include "editors/server/features/features.hpp"
+#include "editors/server/workspace/describe.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+using namespace frontend;
+
+template <class Items>
+void add_all(std::vector<const Declaration*>& list, const Items& items) {
+    for (const auto& item : items) list.push_back(&*item);
+}
+
+/// The declarations inside a declaration, in textual order; members of interfaces are not included.
+std::vector<const Declaration*> inner(const Declaration& declaration) {
+    std::vector<const Declaration*> list;
+    if (const auto* type = dynamic_cast<const TypeDeclaration*>(&declaration)) {
+        add_all(list, type->fields);
+        add_all(list, type->literals);
+    }
+    if (const auto* context = dynamic_cast<const Context*>(&declaration)) {
+        add_all(list, context->variables);
+        add_all(list, context->events);
+        add_all(list, context->clocks);
+        add_all(list, context->signatures);
+    }
+    if (const auto* component = dynamic_cast<const Component*>(&declaration)) add_all(list, component->order);
+    if (const auto* container = dynamic_cast<const NodeContainer*>(&declaration)) {
+        add_all(list, container->nodes);
+        add_all(list, container->transitions);
+    }
+    std::ranges::sort(
+        list, [](const Declaration* a, const Declaration* b) { return a->name_span.begin < b->name_span.begin; });
+    std::erase_if(list, [](const Declaration* each) { return each->name.empty() || !each->name_span.known(); });
+    return list;
+}
+
+/// The span of the declaration with everything inside it: in text with errors, a part may extend beyond the end of the
+/// whole.
+Span extent(const Declaration& declaration) {
+    Span result = join(declaration.span, declaration.name_span);
+    for (const Declaration* each : inner(declaration)) result = join(result, extent(*each));
+    return result;
+}
+
+/// The recursion is bounded, because the parser limits nesting.
+Json symbol(const SourceManager& sources, const Declaration& declaration, Encoding encoding) {
+    Json result = Json::object({{"name", declaration.name},
+                                {"detail", detail(declaration)},
+                                {"kind", symbol_kind(declaration)},
+                                {"range", range(sources, extent(declaration), encoding)},
+                                {"selectionRange", range(sources, declaration.name_span, encoding)}});
+    Json children = Json::array();
+    for (const Declaration* each : inner(declaration)) children.push_back(symbol(sources, *each, encoding));
+    if (!children.empty()) result["children"] = std::move(children);
+    return result;
+}
+
+Json claim(const SourceManager& sources, const std::string& name, std::string_view what, int kind, Span span,
+           Span name_span, Encoding encoding) {
+    return Json::object({{"name", name},
+                         {"detail", std::string(what)},
+                         {"kind", kind},
+                         {"range", range(sources, join(span, name_span), encoding)},
+                         {"selectionRange", range(sources, name_span, encoding)}});
+}
+
+/// True if the name contains the letters of `query` in this order, ignoring case.
+bool matches(std::string_view name, std::string_view query) {
+    std::size_t at = 0;
+    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+    for (const char c : name)
+        if (at < query.size() && lower(c) == lower(query[at])) ++at;
+    return at == query.size();
+}
+
+/// Calls `use` for a declaration and for everything inside it.
+template <class Use>
+void all(const Declaration& declaration, const Use& use) {
+    use(declaration);
+    for (const Declaration* each : inner(declaration)) all(*each, use);
+}
+
+Json information(const Session& session, Project& project, const Declaration& declaration) {
+    Json place = location(session, project, declaration.name_span);
+    if (place.is_null()) return {};
+    return Json::object({{"name", declaration.name},
+                         {"kind", symbol_kind(declaration)},
+                         {"location", std::move(place)},
+                         {"containerName", declaration.parent != nullptr ? declaration.parent->name : ""}});
+}
+
+}  // namespace
+
+Json document_symbols(Session& session, View params) {
+    const Target target = target_of(session, params);
+    const File& file = target.project.tree(target.document);
+    const SourceManager& sources = target.project.sources();
+    const Encoding encoding = session.client.encoding;
+    Json result = Json::array();
+    for (const auto& declaration : file.declarations) {
+        if (declaration->name.empty()) continue;
+        if (session.client.hierarchical_symbols) {
+            result.push_back(symbol(sources, *declaration, encoding));
+        } else {
+            all(*declaration,
+                [&](const Declaration& each) { result.push_back(information(session, target.project, each)); });
+        }
+    }
+    constexpr int boolean_kind = 17;
+    constexpr int function_kind = 12;
+    constexpr int constant_kind = 14;
+    for (const Assertion& each : file.assertions)
+        if (!each.name.empty())
+            result.push_back(claim(sources, each.name, "assertion", boolean_kind, each.span, each.name_span, encoding));
+    for (const CspBlock& each : file.csp_blocks)
+        if (!each.name.empty())
+            result.push_back(claim(sources, each.name, "csp", function_kind, each.span, each.name_span, encoding));
+    for (const ProbabilisticDefinition& each : file.probabilistic_definitions)
+        if (!each.name.empty())
+            result.push_back(
+                claim(sources, each.name, to_text(each.kind), constant_kind, each.span, each.name_span, encoding));
+    for (const ProbabilisticAssertion& each : file.probabilistic_assertions)
+        if (!each.name.empty())
+            result.push_back(claim(sources, each.name, each.property ? "prob property" : "prob generate path",
+                                   boolean_kind, each.span, each.name_span, encoding));
+    return result;
+}
+
+Json workspace_symbols(Session& session, View params) {
+    constexpr std::size_t limit = 500;
+    const std::string& query = params["query"].text();
+    Json result = Json::array();
+    for (const auto& project : session.workspace.projects())
+        for (const auto& file : project->model().files)
+            for (const auto& declaration : file->declarations)
+                all(*declaration, [&](const Declaration& each) {
+                    if (file->is_library || result.size() >= limit || !matches(each.name, query)) return;
+                    Json found = information(session, *project, each);
+                    if (!found.is_null()) result.push_back(std::move(found));
+                });
+    return result;
+}
+
+}  // namespace robochart::lsp

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// State shared by the reader thread and the server: pending messages, cancelled requests, the end of input.
+#include "editors/server/protocol/interruption.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace robochart::lsp {
+
+namespace {
+
+/// True for notifications that change texts, so that earlier findings are outdated.
+bool changes_texts(const std::string& method) {
+    constexpr std::array<std::string_view, 5> methods = {"textDocument/didOpen", "textDocument/didChange",
+                                                         "textDocument/didClose", "workspace/didChangeWatchedFiles",
+                                                         "workspace/didChangeWorkspaceFolders"};
+    return std::ranges::find(methods, method) != methods.end();
+}
+
+}  // namespace
+
+void Interruption::arrived(View message) {
+    const std::lock_guard lock(mutex_);
+    const std::string& method = message["method"].text();
+    if (method == "$/cancelRequest") cancelled_.push_back(message["params"]["id"].json());
+    if (changes_texts(method)) ++changes_;
+    if (method == "exit" || method == "shutdown") leave();
+}
+
+void Interruption::input_ended() {
+    const std::lock_guard lock(mutex_);
+    leave();
+}
+
+void Interruption::leave() {
+    if (!leaving_) leaving_ = std::chrono::steady_clock::now() + grace;
+}
+
+void Interruption::handled(View message) {
+    const std::lock_guard lock(mutex_);
+    const std::string& method = message["method"].text();
+    if (method == "$/cancelRequest") {
+        const auto found = std::ranges::find(cancelled_, message["params"]["id"].json());
+        if (found != cancelled_.end()) cancelled_.erase(found);
+    }
+    if (changes_texts(method)) ++handled_;
+    changes_ = std::max(changes_, handled_);  // if no thread reads ahead
+}
+
+/// A request is answered from the texts at the time of the request, even if a change is already waiting. Findings that
+/// the editor did not request are useless in this case.
+Interruption::Work::Work(Interruption& interruption, const Json& id) : interruption_(interruption) {
+    const std::lock_guard lock(interruption_.mutex_);
+    interruption_.working_ = true;
+    interruption_.id_ = id;
+    interruption_.known_ = id.is_null() ? interruption_.handled_ : interruption_.changes_;
+}
+
+Interruption::Work::~Work() {
+    const std::lock_guard lock(interruption_.mutex_);
+    interruption_.working_ = false;
+    interruption_.id_ = nullptr;
+}
+
+Interruption::Reason Interruption::reason() const {
+    const std::lock_guard lock(mutex_);
+    if (!working_) return Reason::none;
+    if (!id_.is_null() && holds_cancelled(id_)) return Reason::cancelled;
+    if (changes_ > known_) return Reason::modified;
+    return leaving_ && std::chrono::steady_clock::now() >= *leaving_ ? Reason::leaving : Reason::none;
+}
+
+bool Interruption::is_cancelled(const Json& id) const {
+    const std::lock_guard lock(mutex_);
+    return holds_cancelled(id) || (leaving_ && std::chrono::steady_clock::now() >= *leaving_);
+}
+
+bool Interruption::holds_cancelled(const Json& id) const {
+    return std::ranges::find(cancelled_, id) != cancelled_.end();
+}
+
+}  // namespace robochart::lsp

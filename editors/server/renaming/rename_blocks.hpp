@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Renames names of the model in CSP blocks when the model's names are renamed.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "editors/server/renaming/rename_check.hpp"
+
+namespace robochart::lsp {
+
+/// The edits of blocks that belong to these edits of the model: parts of qualified names, and names that the script
+/// derives (`moveCall`, `set_x`). No value if the blocks would have errors after them; empty if no block contains the
+/// name.
+[[nodiscard]] std::optional<std::vector<Edit>> edits_of_blocks(Project&, const std::string& old_name,
+                                                               const std::string& new_name,
+                                                               const std::vector<Edit>& edits_of_model,
+                                                               diagnostics::Budget*);
+
+}  // namespace robochart::lsp

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// See rename_check.hpp. Edits replace names by names, so the n-th name before the edits is the n-th name after them.
+#include "editors/server/renaming/rename_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "frontend/project/project.hpp"
+#include "frontend/syntax/parse.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+using frontend::Model;
+using frontend::Occurrence;
+
+/// A copy of the project, parsed from edited texts.
+struct Copy {
+    SourceManager sources;
+    Model model;
+    diagnostics::Diagnostics findings;
+};
+
+std::string edited(std::string_view text, SourceId source, std::vector<Edit> edits) {
+    std::erase_if(edits, [&](const Edit& edit) { return edit.span.source != source; });
+    std::ranges::sort(edits, [](const Edit& a, const Edit& b) { return a.span.begin < b.span.begin; });
+    std::string out;
+    std::size_t at = 0;
+    for (const Edit& edit : edits) {
+        out += std::string(text.substr(at, edit.span.begin - at)) + edit.text;
+        at = edit.span.end;
+    }
+    return out + std::string(text.substr(at));
+}
+
+void read(Copy& copy, Project& project, const std::vector<Edit>& edits) {
+    const SourceManager& sources = project.sources();
+    for (const auto& file : project.model().files) {
+        if (file->is_library) continue;
+        const auto id =
+            copy.sources.add(sources.path(file->source), edited(sources.text(file->source), file->source, edits));
+        copy.model.files.push_back(frontend::parse(copy.sources, id, file->is_assertions, copy.findings));
+    }
+    frontend::update_toolkits(copy.sources, copy.model, copy.findings);
+    frontend::resolve(copy.model, copy.findings);
+}
+
+/// The meaning of a name in a form that does not depend on the copy: the number of the name that declares it, or its
+/// text.
+struct Meaning {
+    frontend::NameKind kind;
+    std::size_t declared_at;
+    std::string library_name;
+
+    friend bool operator==(const Meaning&, const Meaning&) = default;
+};
+
+/// All names of a project. The files have the same order in both projects, and so have their names.
+struct Names {
+    std::vector<const Occurrence*> list;
+    std::vector<Meaning> meanings;
+};
+
+Names names_of(const Model& model, const std::vector<Occurrence>& all) {
+    std::map<SourceId, std::vector<const Occurrence*>> by_source;
+    for (const Occurrence& each : all) by_source[each.span.source].push_back(&each);
+    Names names;
+    for (const auto& file : model.files)
+        names.list.insert(names.list.end(), by_source[file->source].begin(), by_source[file->source].end());
+    std::map<const frontend::Declaration*, std::size_t> declared;
+    for (std::size_t i = 0; i < names.list.size(); ++i)
+        if (names.list[i]->declares && names.list[i]->target != nullptr) declared.emplace(names.list[i]->target, i);
+    for (const Occurrence* each : names.list) {
+        const auto found = declared.find(each->target);
+        const bool ours = found != declared.end();
+        const std::string library = !ours && each->target != nullptr ? each->target->name : std::string();
+        names.meanings.push_back({each->kind, ours ? found->second : names.list.size(), library});
+    }
+    return names;
+}
+
+std::map<std::string_view, std::size_t> counts(const std::vector<const diagnostics::Diagnostics*>& lists) {
+    std::map<std::string_view, std::size_t> result;
+    for (const auto* findings : lists)
+        for (const auto& finding : findings->sorted()) ++result[finding.rule->code];
+    return result;
+}
+
+/// A finding that did not exist before; "" if there is none.
+std::string new_finding(Project& project, const Copy& copy) {
+    std::vector<const diagnostics::Diagnostics*> lists{&project.findings()};
+    for (const auto& [path, document] : project.documents()) lists.push_back(&document->findings);
+    const auto before = counts(lists);
+    const auto after = counts({&copy.findings});
+    if (before == after) return {};
+    for (const auto& finding : copy.findings.sorted()) {
+        const auto had = before.find(finding.rule->code);
+        if (had == before.end() || had->second < after.at(finding.rule->code))
+            return fmt::format("{} ({}, {})", finding.message(), finding.rule->code, copy.sources.place(finding.span));
+    }
+    return "a finding of the rules would vanish: the model would mean something else";
+}
+
+}  // namespace
+
+std::string harm_of(Project& project, const std::vector<Edit>& edits) {
+    Copy copy;
+    read(copy, project, edits);
+    if (std::string finding = new_finding(project, copy); !finding.empty()) return finding;
+    const std::vector<Occurrence> after_all = frontend::occurrences(copy.model);
+    const Names before = names_of(project.model(), project.occurrences());
+    const Names after = names_of(copy.model, after_all);
+    if (before.list.size() != after.list.size()) return "the text would be read differently";
+    for (std::size_t i = 0; i < before.list.size(); ++i)
+        if (before.meanings[i] != after.meanings[i])
+            return fmt::format("the name at {} would stand for something else",
+                               copy.sources.place(after.list[i]->span));
+    return {};
+}
+
+}  // namespace robochart::lsp

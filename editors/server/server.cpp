@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+// The protocol states, requests and notifications of the server, and the diagnostics that it sends when no message is
+// queued.
+#include "editors/server/server.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "editors/server/cspm/answers.hpp"
+#include "editors/server/features/capabilities.hpp"
+#include "editors/server/features/diagram.hpp"
+#include "editors/server/features/documents.hpp"
+#include "editors/server/features/features.hpp"
+#include "editors/server/plain/answers.hpp"
+#include "editors/server/sleec/answers.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+struct RequestRow {
+    std::string_view method;
+    Json (*answer)(Session&, View);
+};
+struct NotificationRow {
+    std::string_view method;
+    void (*handle)(Session&, View);
+};
+
+constexpr std::array requests = {
+    RequestRow{"callHierarchy/incomingCalls", incoming_calls},
+    RequestRow{"callHierarchy/outgoingCalls", outgoing_calls},
+    RequestRow{diagram_request, diagram},
+    RequestRow{"textDocument/codeAction", code_actions},
+    RequestRow{"textDocument/codeLens", code_lenses},
+    RequestRow{"textDocument/completion", completion},
+    RequestRow{"textDocument/declaration", definition},
+    RequestRow{"textDocument/definition", definition},
+    RequestRow{"textDocument/diagnostic", document_diagnostic},
+    RequestRow{"textDocument/documentHighlight", highlights},
+    RequestRow{"textDocument/documentSymbol", document_symbols},
+    RequestRow{"textDocument/foldingRange", folding_ranges},
+    RequestRow{"textDocument/formatting", formatting},
+    RequestRow{"textDocument/hover", hover},
+    RequestRow{"textDocument/inlayHint", inlay_hints},
+    RequestRow{"textDocument/prepareCallHierarchy", prepare_call_hierarchy},
+    RequestRow{"textDocument/prepareRename", prepare_rename},
+    RequestRow{"textDocument/references", references},
+    RequestRow{"textDocument/rename", rename},
+    RequestRow{"textDocument/selectionRange", selection_ranges},
+    RequestRow{"textDocument/semanticTokens/full", semantic_tokens},
+    RequestRow{"textDocument/signatureHelp", signature_help},
+    RequestRow{"workspace/symbol", workspace_symbols},
+};
+
+constexpr std::array notifications = {
+    NotificationRow{"initialized", did_initialize},
+    NotificationRow{"textDocument/didOpen", did_open},
+    NotificationRow{"textDocument/didChange", did_change},
+    NotificationRow{"textDocument/didClose", did_close},
+    NotificationRow{"textDocument/didSave", did_save},
+    NotificationRow{"workspace/didChangeWatchedFiles", did_change_watched_files},
+    NotificationRow{"workspace/didChangeWorkspaceFolders", did_change_folders},
+};
+
+template <class Rows>
+auto row_of(const Rows& rows, std::string_view method) {
+    return std::ranges::find_if(rows, [&](const auto& row) { return row.method == method; });
+}
+
+bool is_id(View id) {
+    return id.is_text() || id.is_number();
+}
+
+diagnostics::Limits limits_of(const Interruption& interruption) {
+    diagnostics::Limits limits;
+    limits.memory_bytes = std::numeric_limits<std::uint64_t>::max();
+    limits.interrupted = [&interruption] { return interruption.reason() != Interruption::Reason::none; };
+    return limits;
+}
+
+}  // namespace
+
+Server::Server(std::function<void(const std::string&)> send)
+    : budget_(limits_of(interruption_)), session_(&budget_), scripts_(&budget_), rules_(&budget_), plain_(&budget_) {
+    session_.rule_names = [this](const std::string& folder) { return rules_.names_in(folder); };
+    session_.send = [send = std::move(send)](const Json& message) { send(json_text(message)); };
+}
+
+void Server::receive(const std::string& text) {
+    std::string fault;
+    Json message = read_json(text, fault);
+    receive(std::move(message), std::move(fault));
+}
+
+void Server::receive(Json message, std::string fault) {
+    queue_.push_back({std::move(message), std::move(fault)});
+}
+
+void Server::step() {
+    const Message message = std::move(queue_.front());
+    queue_.pop_front();
+    if (exit_code_) return;
+    if (!message.fault.empty()) return fail(nullptr, ErrorCode::parse_error, message.fault);
+    interruption_.handled(message.json);
+    handle(message.json);
+}
+
+void Server::idle() {
+    if (phase_ != Phase::running || exit_code_) return;
+    const Interruption::Work work(interruption_, nullptr);
+    try {
+        publish(session_);
+        publish_scripts(session_, scripts_);
+        publish_rules(session_, rules_);
+        publish_plain(session_, plain_);
+    } catch (const diagnostics::LimitReached&) {
+        // Newer messages are handled first; then this is tried again.
+    } catch (const std::exception& error) {
+        log("diagnostics", error.what());
+    }
+}
+
+void Server::handle(View message) {
+    if (!message.is_object()) return fail(nullptr, ErrorCode::invalid_request, "a message must be an object");
+    const bool is_response = !message.has("method") && message.has("id");
+    if (is_response) return;
+    if (!message["method"].is_text()) return fail(nullptr, ErrorCode::invalid_request, "a message without a method");
+    if (message.has("id")) return request(message);
+    notification(message["method"].text(), message["params"]);
+}
+
+bool Server::is_cancelled(const Json& id) const {
+    return interruption_.is_cancelled(id) || std::ranges::any_of(queue_, [&](const Message& m) {
+               const View message = m.json;
+               return message["method"].text() == "$/cancelRequest" && message["params"]["id"].json() == id;
+           });
+}
+
+void Server::request(View message) {
+    const Json& id = message["id"].json();
+    if (!is_id(id)) return fail(nullptr, ErrorCode::invalid_request, "an id must be a number or a string");
+    // `shutdown` is always handled.
+    if (message["method"].text() != "shutdown" && is_cancelled(id))
+        return fail(id, ErrorCode::request_cancelled, "cancelled");
+    const Interruption::Work work(interruption_, id);
+    try {
+        respond(id, answer(message["method"].text(), message["params"]));
+    } catch (const diagnostics::LimitReached&) {
+        ended_early(id);
+    } catch (const Refusal& refusal) {
+        fail(id, refusal.code(), refusal.what());
+    } catch (const std::exception& error) {
+        fail(id, ErrorCode::internal_error, fmt::format("internal error: {}", error.what()));
+    }
+}
+
+void Server::ended_early(const Json& id) {
+    if (interruption_.reason() == Interruption::Reason::modified)
+        return fail(id, ErrorCode::content_modified, "the text has changed meanwhile");
+    fail(id, ErrorCode::request_cancelled, "cancelled");
+}
+
+Json Server::answer(const std::string& method, View params) {
+    if (method == "initialize") return initialize(params);
+    if (phase_ == Phase::fresh) throw Refusal(ErrorCode::not_initialized, "the first request must be `initialize`");
+    if (phase_ == Phase::shut_down) throw Refusal(ErrorCode::invalid_request, "after `shutdown` only `exit` may come");
+    if (method == "shutdown") {
+        phase_ = Phase::shut_down;
+        return nullptr;
+    }
+    const auto row = row_of(requests, method);
+    if (row == requests.end()) throw Refusal(ErrorCode::method_not_found, fmt::format("no method `{}`", method));
+    if (asks_for_script(scripts_, params)) return answer_for_script(session_, scripts_, method, params);
+    if (asks_for_rules(rules_, params)) return answer_for_rules(session_, rules_, method, params);
+    if (asks_for_plain(plain_, params)) return answer_for_plain(session_, plain_, method, params);
+    return row->answer(session_, params);
+}
+
+Json Server::initialize(View params) {
+    if (phase_ != Phase::fresh) throw Refusal(ErrorCode::invalid_request, "`initialize` may come once");
+    session_.client = client_of(params);
+    for (const std::string& folder : folders_of(params)) session_.workspace.add_folder(folder);
+    phase_ = Phase::running;
+    return server_capabilities(session_.client);
+}
+
+/// Notifications have no answer, so their errors only go to the editor's log.
+void Server::notification(const std::string& method, View params) {
+    if (method == "exit") {
+        exit_code_ = phase_ == Phase::shut_down ? 0 : 1;
+        return;
+    }
+    const auto row = row_of(notifications, method);
+    if (phase_ != Phase::running || row == notifications.end()) return;
+    try {
+        if (!notify_script(session_, scripts_, method, params) && !notify_rules(session_, rules_, method, params) &&
+            !notify_plain(session_, plain_, method, params))
+            row->handle(session_, params);
+    } catch (const std::exception& error) {
+        log(method, error.what());
+    }
+}
+
+void Server::log(const std::string& where, const char* what) {
+    constexpr int error_type = 1;
+    const Json params = Json::object({{"type", error_type}, {"message", fmt::format("{}: {}", where, what)}});
+    session_.send(Json::object({{"jsonrpc", "2.0"}, {"method", "window/logMessage"}, {"params", params}}));
+}
+
+void Server::respond(const Json& id, Json result) {
+    session_.send(Json::object({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}}));
+}
+
+void Server::fail(const Json& id, ErrorCode code, const std::string& why) {
+    session_.send(Json::object({{"jsonrpc", "2.0"},
+                                {"id", id},
+                                {"error", Json::object({{"code", static_cast<int>(code)}, {"message", why}})}}));
+}
+
+}  // namespace robochart::lsp

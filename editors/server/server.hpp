@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// The states of the server: which messages are allowed when, and which functions handle them (LSP 3.17, lifecycle
+// messages; JSON-RPC 2.0).
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+#include "base/diagnostics/budget.hpp"
+#include "editors/server/cspm/scripts.hpp"
+#include "editors/server/plain/plain_texts.hpp"
+#include "editors/server/protocol/interruption.hpp"
+#include "editors/server/sleec/rule_texts.hpp"
+#include "editors/server/workspace/session.hpp"
+
+namespace robochart::lsp {
+
+class Server {
+public:
+    /// `send` sends a message, as JSON text, to the editor.
+    explicit Server(std::function<void(const std::string&)> send);
+
+    /// For the reader thread to report messages while the server works.
+    [[nodiscard]] Interruption& interruption() { return interruption_; }
+    /// Adds a message to the queue.
+    void receive(const std::string& text);
+    /// The same for a message that is already parsed. If `fault` is not empty there is no message, and the fault is
+    /// answered with a parse error.
+    void receive(Json message, std::string fault);
+    /// Handles the first message of the queue. A request is not started if the queue contains its cancellation.
+    void step();
+    [[nodiscard]] bool has_work() const { return !queue_.empty(); }
+    /// Sends diagnostics that changed. Called when no message is queued.
+    void idle();
+
+    /// The exit code of the process, if the editor has sent `exit`.
+    [[nodiscard]] std::optional<int> exit_code() const { return exit_code_; }
+
+private:
+    struct Message {
+        Json json;
+        std::string fault;
+    };
+    enum class Phase { fresh, running, shut_down };
+
+    void handle(View message);
+    void request(View message);
+    void notification(const std::string& method, View params);
+    [[nodiscard]] Json answer(const std::string& method, View params);
+    [[nodiscard]] Json initialize(View params);
+    [[nodiscard]] bool is_cancelled(const Json& id) const;
+    void ended_early(const Json& id);
+    void log(const std::string& where, const char* what);
+    void respond(const Json& id, Json result);
+    void fail(const Json& id, ErrorCode code, const std::string& why);
+
+    Interruption interruption_;
+    diagnostics::Budget budget_;  ///< ends work when `interruption_` has a reason
+    Session session_;
+    Scripts scripts_;
+    RuleTexts rules_;
+    PlainTexts plain_;
+    std::deque<Message> queue_;
+    Phase phase_ = Phase::fresh;
+    std::optional<int> exit_code_;
+};
+
+/// Serves one editor over a pair of streams until it exits or the input ends. Returns the exit code of the process.
+int serve(std::istream& in, std::ostream& out);
+
+}  // namespace robochart::lsp

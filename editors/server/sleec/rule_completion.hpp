@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// Completion in SLEEC rule files.
+#pragma once
+
+#include "editors/server/sleec/rule_texts.hpp"
+
+namespace robochart::lsp {
+
+/// The names and words that may follow the tokens before the offset.
+[[nodiscard]] Json rule_completion(const RuleText&, const sleec::RuleFile&, std::uint32_t offset, Encoding);
+
+}  // namespace robochart::lsp

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "editors/server/sleec/rule_names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "sleec/syntax/lexer.hpp"
+#include "sleec/syntax/printer.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+using sleec::Expr;
+using sleec::ExprPtr;
+using sleec::MeasureType;
+using sleec::ResponsePtr;
+using sleec::RuleFile;
+
+namespace symbols {  // SymbolKind (LSP 3.17)
+constexpr int function = 12;
+constexpr int variable = 13;
+constexpr int constant = 14;
+constexpr int event = 24;
+}  // namespace symbols
+
+/// A declaration of the file.
+struct Declared {
+    const sleec::Name* name;
+    int kind;
+    std::string text;  ///< the text of the declaration
+    Span whole;
+};
+
+std::string measure_type(const sleec::Measure& measure) {
+    if (measure.type == MeasureType::boolean) return "boolean";
+    if (measure.type == MeasureType::numeric) return "numeric";
+    std::string literals;
+    for (const sleec::Name& each : measure.literals) literals += (literals.empty() ? "" : ", ") + each.text;
+    return fmt::format("scale({})", literals);
+}
+
+std::vector<Declared> declared_in(const RuleFile& file) {
+    std::vector<Declared> result;
+    for (const sleec::Event& each : file.events)
+        result.push_back({&each.name, symbols::event, "event " + each.name.text, each.name.span});
+    for (const sleec::Measure& each : file.measures)
+        result.push_back({&each.name, symbols::variable,
+                          fmt::format("measure {} : {}", each.name.text, measure_type(each)), each.name.span});
+    for (const sleec::Constant& each : file.constants)
+        result.push_back({&each.name, symbols::constant,
+                          fmt::format("constant {} = {}", each.name.text, sleec::print(each.value)), each.name.span});
+    for (const sleec::Rule& each : file.rules)
+        result.push_back(
+            {&each.name, symbols::function, fmt::format("{} {}", each.name.text, sleec::print(each)), each.span});
+    for (const auto& [properties, what] : {std::pair(&file.concerns, "concern"), std::pair(&file.purposes, "purpose")})
+        for (const sleec::Property& each : *properties)
+            result.push_back({&each.name, symbols::function, fmt::format("{} {}", what, each.name.text), each.span});
+    return result;
+}
+
+/// Finds out whether a rule, a concern or a purpose mentions a name.
+class Mentions {
+public:
+    explicit Mentions(std::string_view name) : name_(name) {}
+
+    bool in(const sleec::Trigger& trigger) { return trigger.event.text == name_ || in(trigger.condition); }
+    bool in(const ExprPtr& expr) {
+        if (!expr) return false;
+        return (expr->op == sleec::Op::name && expr->text == name_) ||
+               std::ranges::any_of(expr->parts, [&](const ExprPtr& each) { return in(each); });
+    }
+    bool in(const ResponsePtr& response) {
+        if (!response) return false;
+        if (response->event.text == name_ || in(response->otherwise)) return true;
+        if (response->limit && (in(response->limit->from) || in(response->limit->to))) return true;
+        return std::ranges::any_of(
+            response->defeaters, [&](const sleec::Defeater& each) { return in(each.condition) || in(each.response); });
+    }
+
+private:
+    std::string_view name_;
+};
+
+std::string rules_with(const RuleFile& file, const std::string& name) {
+    std::string text;
+    Mentions mentions(name);
+    for (const sleec::Rule& each : file.rules)
+        if (mentions.in(each.trigger) || mentions.in(each.response))
+            text += (text.empty() ? "in " : ", ") + each.name.text;
+    return text;
+}
+
+struct WordMeaning {
+    std::string_view word, meaning;
+};
+
+constexpr std::array meanings = {
+    WordMeaning{"when",
+                "`NAME when EVENT [and condition] then response`: each occurrence of the event is a trigger; the "
+                "condition is asked with the values of that moment."},
+    WordMeaning{"within",
+                "`E within N unit`: E comes by then at the latest, the limit included. `not E within N unit`: E "
+                "does not come up to then."},
+    WordMeaning{"otherwise", "`E within N unit otherwise R`: if E has not come by then, R holds from then on."},
+    WordMeaning{"unless",
+                "`R unless condition [then S]`: if the condition is true at the trigger, S is asked for instead "
+                "of R, or nothing. Of several that are true the last decides."},
+    WordMeaning{"assume",
+                "A rule that the environment keeps: histories that break it are not considered. Ours; neither "
+                "SLEEC-TK nor LEGOS reads it."},
+    WordMeaning{"scale", "`measure m : scale(low, mid, high)`: values in order, least first."},
+    WordMeaning{"numeric", "A measure that is a whole number."},
+    WordMeaning{"boolean", "A measure that is true or false."},
+};
+
+std::optional<Span> declaration_of(const RuleFile& file, const std::string& text) {
+    for (const Declared& each : declared_in(file))
+        if (each.name->text == text) return each.name->span;
+    for (const sleec::Measure& each : file.measures)
+        for (const sleec::Name& literal : each.literals)
+            if (literal.text == text) return literal.span;
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<RuleName> rule_name_at(const RuleText& document, const RuleFile& file, std::uint32_t offset) {
+    diagnostics::Diagnostics ignored;
+    for (const sleec::Token& token : sleec::lex(document.texts.text(document.source), document.source, ignored)) {
+        if (token.span.begin > offset) break;
+        if (token.kind != sleec::Tok::word || token.span.end < offset) continue;
+        const std::string text(token.text);
+        return RuleName{text, token.span, declaration_of(file, text).value_or(Span())};
+    }
+    return std::nullopt;
+}
+
+std::string about_rule_name(const RuleFile& file, const RuleName& name, bool markdown) {
+    for (const Declared& each : declared_in(file)) {
+        if (each.name->text != name.text) continue;
+        std::string text = markdown ? fmt::format("```sleec\n{}\n```", each.text) : each.text;
+        const std::string where = each.kind == symbols::function ? "" : rules_with(file, name.text);
+        return where.empty() ? text : text + "\n" + where;
+    }
+    for (const sleec::Measure& each : file.measures)
+        for (const sleec::Name& literal : each.literals)
+            if (literal.text == name.text) return fmt::format("a value of {} : {}", each.name.text, measure_type(each));
+    for (const WordMeaning& each : meanings)
+        if (each.word == name.text) return std::string(each.meaning);
+    return "";
+}
+
+Json rule_outline(const RuleText& document, const RuleFile& file, const Client& client) {
+    Json result = Json::array();
+    for (const Declared& each : declared_in(file)) {
+        const Json whole = range(document.texts, each.whole, client.encoding);
+        Json symbol = Json::object({{"name", each.name->text}, {"kind", each.kind}});
+        if (client.hierarchical_symbols) {
+            symbol["detail"] = each.text;
+            symbol["range"] = whole;
+            symbol["selectionRange"] = range(document.texts, each.name->span, client.encoding);
+        } else {
+            symbol["location"] = Json::object({{"uri", document.uri}, {"range", whole}});
+        }
+        result.push_back(std::move(symbol));
+    }
+    return result;
+}
+
+}  // namespace robochart::lsp

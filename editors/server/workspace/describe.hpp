@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Descriptions of declarations, for hovers, completions and outlines.
+#pragma once
+
+#include <string>
+
+#include "editors/server/workspace/workspace.hpp"
+
+namespace robochart::lsp {
+
+/// The declaration as it is written, without its body: `var x : nat = 1`, `function f(a : real) : real`.
+[[nodiscard]] std::string signature(const frontend::Declaration&);
+/// The text after the name in a list: a type, a target, or the contents. May be empty.
+[[nodiscard]] std::string detail(const frontend::Declaration&);
+/// The place of its declaration: "in stm `S`"; "" at package level.
+[[nodiscard]] std::string whereabouts(const frontend::Declaration&);
+/// The comment directly above a place, or after it on the same line, without comment marks; "" if there is none.
+[[nodiscard]] std::string comment_about(const SourceManager&, const frontend::File&, Span name);
+
+/// SymbolKind and CompletionItemKind (LSP 3.17).
+[[nodiscard]] int symbol_kind(const frontend::Declaration&);
+[[nodiscard]] int completion_kind(const frontend::Declaration&);
+
+}  // namespace robochart::lsp

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "editors/server/workspace/text_difference.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "base/diagnostics/utf8.hpp"
+
+namespace robochart::lsp {
+
+namespace {
+
+struct Difference {
+    Span span;
+    std::string text;
+};
+
+Difference difference(SourceId source, std::string_view before, std::string_view after) {
+    std::size_t begin = 0;
+    const std::size_t shorter = std::min(before.size(), after.size());
+    while (begin < shorter && before[begin] == after[begin]) ++begin;
+    while (begin > 0 && begin < before.size() && (diagnostics::is_continuation(before[begin]) || before[begin] == '\n'))
+        --begin;
+    std::size_t end = 0;
+    while (end < shorter - begin && before[before.size() - 1 - end] == after[after.size() - 1 - end]) ++end;
+    while (end > 0 && diagnostics::is_continuation(before[before.size() - end])) --end;
+    return {{source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(before.size() - end)},
+            std::string(after.substr(begin, after.size() - end - begin))};
+}
+
+}  // namespace
+
+Json text_edits(const SourceManager& sources, SourceId source, std::string_view after, Encoding encoding) {
+    if (after == sources.text(source)) return Json::array();
+    const Difference change = difference(source, sources.text(source), after);
+    return Json::array({Json::object({{"range", range(sources, change.span, encoding)}, {"newText", change.text}})});
+}
+
+}  // namespace robochart::lsp

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Expresses a new text as a change of an old one.
+#pragma once
+
+#include <string_view>
+
+#include "editors/server/protocol/positions.hpp"
+
+namespace robochart::lsp {
+
+/// TextEdits that turn a text into another. One edit replaces the part between the common beginning and the common end,
+/// at character boundaries, so that the editor keeps its cursor position. Empty if the texts are equal.
+[[nodiscard]] Json text_edits(const SourceManager&, SourceId, std::string_view after, Encoding);
+
+}  // namespace robochart::lsp

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// The names that can be written at a place (language reference 1.3).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frontend/project/occurrences.hpp"
+#include "editors/server/workspace/workspace.hpp"
+
+namespace robochart::lsp {
+
+/// The declaration whose name has this span; null if there is none.
+[[nodiscard]] const frontend::Declaration* declared_at(const frontend::File&, Span name);
+/// The declarations of files that a file sees without qualification: of its package, of its imports, and of unnamed
+/// packages. Literals of visible enumerations are included.
+[[nodiscard]] std::vector<const frontend::Declaration*> visible_from(const frontend::Model&, const frontend::File&);
+/// The declarations that may follow `A::B::`.
+[[nodiscard]] std::vector<const frontend::Declaration*> behind(const frontend::Model&, const frontend::File&,
+                                                               const std::vector<std::string>& qualifier);
+/// The names of packages that may follow `A::` or come first; one part each.
+[[nodiscard]] std::vector<std::string> packages_behind(const frontend::Model&,
+                                                       const std::vector<std::string>& qualifier);
+
+}  // namespace robochart::lsp

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Assigns files to projects. Each folder of the workspace is a project, and so is each subfolder with a `.project` file
+// (as written by Eclipse and RoboTool). A file outside the workspace forms a project with the files in its folder.
+#include "editors/server/workspace/workspace.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "frontend/project/project.hpp"
+#include "editors/server/protocol/uri.hpp"
+
+namespace robochart::lsp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_below(const std::string& path, const std::string& folder) {
+    if (folder == "/") return path.starts_with("/");
+    return path.size() > folder.size() && path.starts_with(folder) && path[folder.size()] == '/';
+}
+
+std::string plain_folder(const std::string& path) {
+    std::string folder = fs::path(path).lexically_normal().string();
+    while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
+    return folder;
+}
+
+}  // namespace
+
+void Workspace::add_folder(const std::string& path) {
+    const std::string folder = plain_folder(path);
+    if (std::ranges::find(folders_, folder) != folders_.end()) return;
+    folders_.push_back(folder);
+    rebuild();
+}
+
+void Workspace::remove_folder(const std::string& path) {
+    if (std::erase(folders_, plain_folder(path)) > 0) rebuild();
+}
+
+/// Assigns all files again; open texts are kept.
+void Workspace::rebuild() {
+    const std::vector<std::unique_ptr<Project>> before = std::exchange(projects_, {});
+    for (const std::string& folder : folders_)
+        for (const std::string& path : frontend::project_files(folder, true)) project_at(root_of(path)).refresh(path);
+    for (const auto& project : before) {
+        disown(*project);
+        for (const auto& [path, document] : project->documents())
+            if (document->open)
+                open(document->uri, std::string(project->sources().text(document->source))).document->version =
+                    document->version;
+    }
+}
+
+void Workspace::disown(const Project& project) {
+    for (const auto& [path, document] : project.documents())
+        if (!document->published.empty()) orphans_.push_back(document->uri);
+}
+
+Workspace::Place Workspace::find(std::string_view uri) {
+    const std::string path = path_of_uri(uri);
+    for (const auto& project : projects_)
+        if (Document* document = project->find(path)) return {project.get(), document};
+    return {};
+}
+
+std::string Workspace::folder_around(const std::string& path) const {
+    std::string best;
+    for (const std::string& folder : folders_)
+        if (is_below(path, folder) && folder.size() >= best.size()) best = folder;
+    return best;
+}
+
+std::string Workspace::root_of(const std::string& path) const {
+    if (!path.starts_with("/")) return {};
+    const std::string folder = folder_around(path);
+    const std::string own = plain_folder(fs::path(path).parent_path().string());
+    if (folder.empty()) return own;
+    std::error_code code;
+    for (fs::path at = own; at.string().size() > folder.size(); at = at.parent_path())
+        if (fs::exists(at / ".project", code)) return at.string();
+    return folder;
+}
+
+Project& Workspace::project_at(const std::string& root) {
+    for (const auto& project : projects_)
+        if (project->folder() == root && !root.empty()) return *project;
+    projects_.push_back(std::make_unique<Project>(root, budget_));
+    return *projects_.back();
+}
+
+Workspace::Place Workspace::open(const std::string& uri, std::string text) {
+    const std::string path = path_of_uri(uri);
+    const Place known = find(uri);
+    if (known) return {known.project, &known.project->open(path, uri, std::move(text))};
+    const std::string root = root_of(path);
+    Project& project = project_at(root);
+    if (project.empty() && !root.empty() && folder_around(path).empty())
+        for (const std::string& beside : frontend::project_files(root, false)) project.refresh(beside);
+    return {&project, &project.open(path, uri, std::move(text))};
+}
+
+void Workspace::close(const std::string& uri) {
+    const Place place = find(uri);
+    if (!place) return;
+    const bool shown = !place.document->published.empty();
+    place.project->close(*place.document);
+    if (shown && !find(uri)) orphans_.push_back(uri);
+    // A project outside the workspace exists only for its open files.
+    const bool listed = !folder_around(place.project->folder() + "/.").empty();
+    if (listed || place.project->has_open()) return;
+    disown(*place.project);
+    std::erase_if(projects_, [&](const auto& project) { return project.get() == place.project; });
+}
+
+void Workspace::refresh(const std::string& uri) {
+    const std::string path = path_of_uri(uri);
+    if (const Place known = find(uri)) {
+        const bool shown = !known.document->published.empty();
+        const std::string as_written = known.document->uri;
+        known.project->refresh(path);
+        if (shown && !find(uri)) orphans_.push_back(as_written);
+        return;
+    }
+    const std::string extension = fs::path(path).extension().string();
+    if (extension != ".rct" && extension != ".assertions") return;
+    const std::string root = root_of(path);
+    const bool wanted = !folder_around(path).empty() || std::ranges::any_of(projects_, [&](const auto& project) {
+        return project->folder() == root && !root.empty();
+    });
+    if (wanted) project_at(root).refresh(path);
+}
+
+}  // namespace robochart::lsp

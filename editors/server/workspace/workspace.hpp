@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// The projects that an editor has open: folders, their files on disk, and the open texts that override them.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/diagnostics/diagnostic.hpp"
+#include "frontend/project/incremental.hpp"
+#include "frontend/project/occurrences.hpp"
+#include "frontend/syntax/ast.hpp"
+#include "frontend/syntax/parse.hpp"
+#include "editors/server/protocol/positions.hpp"
+
+namespace robochart::lsp {
+
+/// One file of a project.
+struct Document {
+    std::string path;
+    std::string uri;  ///< as the editor writes it
+    SourceId source = SourceId::none;
+    bool is_assertions = false;
+    bool open = false;  ///< the text is the editor's
+    std::optional<std::int64_t> version;
+    bool stale = true;                  ///< the text changed since it was parsed
+    frontend::File* tree = nullptr;     ///< in the project's model, after parsing
+    diagnostics::Diagnostics findings;  ///< of parsing only
+    std::string published;              ///< the diagnostics last sent
+    std::string pulled;                 ///< the diagnostics that the editor last requested, while it is open
+};
+
+/// Files that see each other (language reference 1.3: folder = project), with the analysis results. Accessing the model
+/// brings it up to date: only changed files are read and parsed again, and only affected parts are resolved again.
+class Project {
+public:
+    /// An empty folder name means texts without a place on disk. Updates of the model poll the budget, if given. If the
+    /// budget ends an update, the next access repeats it.
+    explicit Project(std::string folder, diagnostics::Budget* budget = nullptr)
+        : folder_(std::move(folder)), budget_(budget) {}
+
+    [[nodiscard]] const std::string& folder() const { return folder_; }
+    [[nodiscard]] Document* find(const std::string& path);
+    [[nodiscard]] Document* find(SourceId source);
+    [[nodiscard]] const std::map<std::string, std::unique_ptr<Document>>& documents() const { return documents_; }
+    [[nodiscard]] bool has_open() const;
+    [[nodiscard]] bool empty() const { return documents_.empty(); }
+
+    /// Sets the editor's text of a file; adds the file if it is new.
+    Document& open(const std::string& path, std::string uri, std::string text);
+    void change(Document& document, std::string text);
+    /// Returns to the text on disk; a file that is not on disk is removed from the project.
+    void close(Document& document);
+    /// Reads a file that is not open from disk again.
+    void refresh(const std::string& path);
+
+    [[nodiscard]] const SourceManager& sources() const { return sources_; }
+    [[nodiscard]] const frontend::Model& model();
+    /// Findings about names, types and rules; the documents have the parse errors.
+    [[nodiscard]] const diagnostics::Diagnostics& findings();
+    /// Findings about CSP blocks.
+    [[nodiscard]] const diagnostics::Diagnostics& block_findings();
+    /// All names, sorted by place.
+    [[nodiscard]] const std::vector<frontend::Occurrence>& occurrences();
+    /// The name at or directly before an offset; null if there is none.
+    [[nodiscard]] const frontend::Occurrence* occurrence_at(SourceId source, std::uint32_t offset);
+    /// The current tree of a document.
+    [[nodiscard]] const frontend::File& tree(const Document& document);
+
+    /// True if something changed since the last call.
+    [[nodiscard]] bool take_news();
+
+private:
+    Document& add(const std::string& path);
+    void drop(Document& document);
+    void parse(Document& document);
+    void update();
+
+    std::string folder_;
+    diagnostics::Budget* budget_;
+    SourceManager sources_;
+    std::map<std::string, std::unique_ptr<Document>> documents_;
+    std::map<std::string, SourceId> ids_;  ///< of every path ever seen
+    frontend::Model model_;
+    frontend::Resolution resolution_;
+    diagnostics::Diagnostics findings_;
+    std::optional<std::vector<frontend::Occurrence>> occurrences_;
+    std::optional<diagnostics::Diagnostics> block_findings_;
+    bool current_ = false;  ///< model_ and findings_ belong to the current texts
+    bool news_ = false;
+};
+
+/// All projects.
+class Workspace {
+public:
+    explicit Workspace(diagnostics::Budget* budget = nullptr) : budget_(budget) {}
+
+    void add_folder(const std::string& path);
+    void remove_folder(const std::string& path);
+
+    struct Place {
+        Project* project = nullptr;
+        Document* document = nullptr;
+        explicit operator bool() const { return document != nullptr; }
+    };
+    [[nodiscard]] Place find(std::string_view uri);
+    Place open(const std::string& uri, std::string text);
+    void close(const std::string& uri);
+    void refresh(const std::string& uri);
+    [[nodiscard]] const std::vector<std::unique_ptr<Project>>& projects() const { return projects_; }
+    /// Documents that left a project and still have diagnostics in the editor, by URI.
+    [[nodiscard]] std::vector<std::string> take_orphans() { return std::exchange(orphans_, {}); }
+
+private:
+    /// The workspace folder that contains a path, the innermost if there are several; "" if there is none.
+    [[nodiscard]] std::string folder_around(const std::string& path) const;
+    [[nodiscard]] std::string root_of(const std::string& path) const;
+    Project& project_at(const std::string& root);
+    void rebuild();
+    void disown(const Project& project);
+
+    diagnostics::Budget* budget_;
+    std::vector<std::string> folders_;
+    std::vector<std::unique_ptr<Project>> projects_;
+    std::vector<std::string> orphans_;
+};
+
+}  // namespace robochart::lsp

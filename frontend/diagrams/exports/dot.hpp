@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exports pictures to Graphviz, which computes its own layout.
+#pragma once
+
+#include <string>
+
+#include "frontend/diagrams/notation/picture.hpp"
+
+namespace robochart::diagrams {
+
+/// A directed graph. A box that contains boxes, or has events on its border, becomes a cluster.
+[[nodiscard]] std::string dot(const Picture& picture);
+
+}  // namespace robochart::diagrams

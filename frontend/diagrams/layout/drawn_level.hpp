@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// A level as a person drew it, as data: positions of boxes and squares, ends and bends of edges. Elements that are not
+// in the drawing have no value.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "frontend/diagrams/layout/level.hpp"
+
+namespace robochart::diagrams::layout {
+
+/// A box within its level.
+struct DrawnBox {
+    Point corner;
+    std::optional<double> width, height;  ///< no value: as large as necessary
+};
+
+/// A square on the border of a box or of the enclosing box.
+struct DrawnPort {
+    Point centre;              ///< relative to the corner of the box
+    Side label = Side::right;  ///< the side of the label in the drawing
+};
+
+/// How an edge was drawn. A bend or an end is stored relative to an anchor in each of the two boxes. If the sizes of
+/// the boxes have changed, the bend is placed between the two resulting points.
+struct DrawnEdge {
+    struct Bend {
+        Point from_source, from_target;
+    };
+    Point source_anchor{0.5, 0.5}, target_anchor{0.5, 0.5};  ///< as fractions of width and height
+    std::vector<Bend> bends;                                 ///< from end to end; fewer than two: the route is unknown
+    bool right_angled = true;
+    std::optional<Point> label;  ///< the middle of the label, relative to the middle of the route
+};
+
+/// The squares of a box, in the order of the box's ports.
+struct DrawnPorts {
+    std::vector<std::optional<DrawnPort>> ports;
+    std::vector<Size> labels;  ///< sizes of the labels of the squares
+    Size owner;                ///< size of the box in the drawing, if known
+    double header = 0;         ///< height above the inside in the drawing; squares below move with it
+    bool full = false;         ///< the box has no space for labels
+};
+
+/// The whole drawing, in the order of the level's boxes and edges. Elements that are not in the drawing have no value.
+struct DrawnLevel {
+    std::vector<std::optional<DrawnBox>> boxes;
+    std::vector<DrawnPorts> ports;  ///< for boxes on the border: those of the enclosing box
+    std::vector<std::optional<DrawnEdge>> edges;
+    Size size;          ///< the minimum size of the level
+    double header = 0;  ///< height of the part of the enclosing box above the level
+};
+
+}  // namespace robochart::diagrams::layout

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Squares on the borders of boxes whose positions a person has drawn, and the labels of the squares.
+#pragma once
+
+#include <vector>
+
+#include "frontend/diagrams/layout/drawn_level.hpp"
+#include "frontend/diagrams/layout/free_space.hpp"
+
+namespace robochart::diagrams::layout {
+
+/// The square of a port as a rectangle.
+[[nodiscard]] Rectangle square_at(const Point& centre);
+/// The squares of a box, without labels (see `ports_as_drawn`).
+[[nodiscard]] std::vector<PlacedPort> squares_of(const Rectangle& box, double header, const DrawnPorts& drawn);
+/// Places the labels of the squares in free space.
+void label_ports(std::vector<PlacedPort>& ports, const DrawnPorts& drawn, FreeSpace& space);
+
+/// Squares on the border of a box, with their labels outside the box. Squares in the drawing stay on their side; the
+/// others are placed on the right side where there is space. `header`: the height of the part of the box above its
+/// inside.
+[[nodiscard]] std::vector<PlacedPort> ports_as_drawn(const Rectangle& box, double header, const DrawnPorts& drawn);
+
+}  // namespace robochart::diagrams::layout

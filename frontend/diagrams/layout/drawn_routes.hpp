@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Routes of edges between boxes whose positions a person has drawn.
+#pragma once
+
+#include <vector>
+
+#include "frontend/diagrams/layout/drawn_level.hpp"
+#include "frontend/diagrams/layout/free_space.hpp"
+
+namespace robochart::diagrams::layout {
+
+/// An end of an edge: a box, a circle, or the square of a port.
+struct RouteEnd {
+    enum class Shape { box, circle, square };
+    Rectangle place;
+    Shape shape = Shape::box;
+};
+
+/// The drawn route from border to border. Empty if the drawing has no route, if it has only a diagonal line but the
+/// route must be orthogonal, or if the route no longer fits the boxes.
+[[nodiscard]] std::vector<Point> route_as_drawn(const DrawnEdge& edge, const RouteEnd& from, const RouteEnd& to);
+
+/// An orthogonal route that avoids existing elements.
+[[nodiscard]] std::vector<Point> new_route(const RouteEnd& from, const RouteEnd& to, const FreeSpace& space);
+
+}  // namespace robochart::diagrams::layout

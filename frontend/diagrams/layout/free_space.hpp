@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Records the occupied places of a level, to find free places for text and lines.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "frontend/diagrams/layout/geometry.hpp"
+
+namespace robochart::diagrams::layout {
+
+/// Rectangles and lines that new elements avoid if possible.
+class FreeSpace {
+public:
+    void add(const Rectangle& taken) { rectangles_.push_back(taken); }
+    /// A line through these points.
+    void add(std::span<const Point> line);
+    /// The border of a rectangle without its inside.
+    void add_border(const Rectangle& it);
+
+    /// How much of the rectangle is occupied; 0 if it is free.
+    [[nodiscard]] double taken(const Rectangle& it) const;
+    /// The first free place; if there is none, the least occupied one. There must be at least one place.
+    [[nodiscard]] Rectangle best(std::span<const Rectangle> places) const;
+    /// True if the line crosses one of the rectangles.
+    [[nodiscard]] bool is_crossed(std::span<const Point> line) const;
+    /// The cost of a line of horizontal and vertical segments. Crossed boxes cost most; then lines that it crosses or
+    /// overlaps, its bends and its length.
+    [[nodiscard]] double cost(std::span<const Point> line) const;
+
+private:
+    struct Segment {
+        Point from, to;
+    };
+    [[nodiscard]] double cost(const Segment& piece) const;
+
+    std::vector<Rectangle> rectangles_;
+    std::vector<Segment> segments_;
+};
+
+}  // namespace robochart::diagrams::layout

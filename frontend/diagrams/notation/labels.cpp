@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// See labels.hpp.
+#include "frontend/diagrams/notation/labels.hpp"
+
+#include <fmt/format.h>
+
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/text.hpp"
+#include "frontend/syntax/print.hpp"
+
+namespace robochart::diagrams {
+
+using namespace frontend;
+
+namespace {
+
+std::string visible(const std::string& text) {
+    return diagnostics::shown(diagnostics::on_one_line(text));
+}
+
+std::string parameters_of(const std::vector<VariablePtr>& parameters) {
+    std::string result;
+    for (const VariablePtr& parameter : parameters) result += (result.empty() ? "" : ", ") + text_of(*parameter);
+    return "(" + result + ")";
+}
+
+std::string typed(const std::string& name, const TypeExprPtr& type) {
+    return shown_name(name) + (type ? ": " + visible(to_text(*type)) : "");
+}
+
+std::string body_of(const StmtPtr& statement) {
+    return statement ? text_of(*statement) : "";
+}
+
+std::string sequence_of(const Stmt& statement) {
+    std::string result;
+    for (const StmtPtr& each : statement.body) result += (result.empty() ? "" : "; ") + body_of(each);
+    return result;
+}
+
+std::string choice_of(const Stmt& statement) {
+    const std::string condition = statement.condition ? text_of(*statement.condition) : "";
+    const std::string otherwise = statement.body.size() > 1 ? " else " + body_of(statement.body[1]) : "";
+    return fmt::format("if {} then {}{} end", condition, statement.body.empty() ? "" : body_of(statement.body[0]),
+                       otherwise);
+}
+
+}  // namespace
+
+std::string shown_name(std::string_view name) {
+    if (name.starts_with('?')) return "";  // the parser's placeholder for a missing name
+    return diagnostics::shown(name);
+}
+
+std::string_view word_of(ActionKind kind) {
+    switch (kind) {
+        case ActionKind::entry:
+            return "entry";
+        case ActionKind::during:
+            return "during";
+        case ActionKind::exit:
+            return "exit";
+    }
+    return "";
+}
+
+std::string_view word_of(InterfaceUse use) {
+    switch (use) {
+        case InterfaceUse::uses:
+            return "uses";
+        case InterfaceUse::requires_:
+            return "requires";
+        case InterfaceUse::provides:
+            return "provides";
+    }
+    return "";
+}
+
+std::string text_of(const Expr& expr) {
+    return visible(to_text(expr));
+}
+
+std::string text_of(const Stmt& statement) {
+    switch (statement.kind) {
+        case StmtKind::sequence:
+            return sequence_of(statement);
+        case StmtKind::if_then_else:
+            return choice_of(statement);
+        case StmtKind::communication:
+            return statement.communication ? visible(to_text(*statement.communication)) : "";
+        case StmtKind::deadline:
+            return fmt::format("{} <{{{}}}", statement.body.empty() ? "" : body_of(statement.body[0]),
+                               statement.value ? text_of(*statement.value) : "");
+        case StmtKind::parenthesised:
+            return "(" + (statement.body.empty() ? "" : body_of(statement.body[0])) + ")";
+        default:
+            return visible(to_text(statement));
+    }
+}
+
+std::string text_of(const Variable& variable) {
+    return typed(variable.name, variable.type_expr) + (variable.initial ? " = " + text_of(*variable.initial) : "");
+}
+
+std::string text_of(const Event& event) {
+    return typed(event.name, event.type_expr);
+}
+
+std::string text_of(const OperationSignature& signature) {
+    return shown_name(signature.name) + parameters_of(signature.parameters) +
+           (signature.terminates ? " [terminates]" : "");
+}
+
+std::string title_of(const Machine& operation) {
+    return shown_name(operation.name) + parameters_of(operation.parameters) +
+           (operation.terminates ? " [terminates]" : "");
+}
+
+std::string text_of(const Function& function) {
+    return shown_name(function.name) + parameters_of(function.parameters) +
+           (function.result_expr ? ": " + visible(to_text(*function.result_expr)) : "");
+}
+
+std::string text_of(const EnumLiteral& literal) {
+    std::string arguments;
+    for (const TypeExprPtr& argument : literal.arguments)
+        if (argument) arguments += (arguments.empty() ? "" : ", ") + visible(to_text(*argument));
+    return shown_name(literal.name) + (arguments.empty() ? "" : "(" + arguments + ")");
+}
+
+std::vector<std::string> label_of(const Transition& transition) {
+    std::vector<std::string> pieces;
+    std::string head = transition.trigger ? visible(to_text(*transition.trigger)) : "";
+    const auto add = [&](const std::string& text) { head += (head.empty() ? "" : " ") + text; };
+    for (const Transition::Reset& reset : transition.resets) add("#" + shown_name(reset.name.text()));
+    if (transition.deadline) add("<{" + text_of(*transition.deadline) + "}");
+    if (transition.probability) add("p{" + text_of(*transition.probability) + "}");
+    if (!head.empty()) pieces.push_back(head);
+    if (transition.condition) pieces.push_back("[" + text_of(*transition.condition) + "]");
+    if (transition.otherwise) pieces.emplace_back("[else]");
+    if (transition.action) pieces.push_back("/" + text_of(*transition.action));
+    return pieces;
+}
+
+}  // namespace robochart::diagrams

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Drawing functions that diagrams of all kinds share: titles, labels, squares of events.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/diagnostics/budget.hpp"
+#include "frontend/diagrams/layout/text_width.hpp"
+#include "frontend/diagrams/notation/elements.hpp"
+#include "frontend/diagrams/notation/memory.hpp"
+#include "frontend/diagrams/notation/picture.hpp"
+#include "frontend/diagrams/notation/rows.hpp"
+#include "frontend/diagrams/notation/stored_layout.hpp"
+
+namespace robochart::diagrams {
+
+/// The input of drawing.
+struct Drawing {
+    const Elements& elements;
+    Memory* memory = nullptr;
+    diagnostics::Budget* budget = nullptr;
+    const StoredLayout* stored = nullptr;  ///< of the drawn component
+};
+
+/// A title of a box: an icon and text.
+struct Title {
+    Icon icon = Icon::no_icon;
+    std::string text;
+    bool italic = false, bold = false, underlined = false;
+    bool reference = false;
+
+    [[nodiscard]] double width() const;
+    /// Writes the title, centred, into the first `height` pixels of a box.
+    void write(PictureBox& box, double height) const;
+};
+
+/// The size of lines of text, one below the other.
+[[nodiscard]] layout::Size size_of(const layout::Lines& lines);
+/// Writes the lines below a point.
+void write_lines(const layout::Lines& lines, const layout::Point& corner, std::vector<Text>& texts);
+
+/// An event on the border of a component.
+struct EventSquare {
+    std::string label;
+    std::size_t element = none;
+    bool broadcast = false;
+    std::string whole;  ///< the complete label if it is elided
+};
+/// The square of an event with its label.
+[[nodiscard]] EventSquare square_of(const std::string& label, std::size_t element, bool broadcast);
+/// The events of a component: its own and those of the interfaces that it uses.
+[[nodiscard]] std::vector<const frontend::Event*> events_of(const frontend::Context& context);
+[[nodiscard]] EventSquare square_of(const frontend::Event& event, const Elements& elements);
+[[nodiscard]] double label_width(const EventSquare& square);
+/// The size of the label.
+[[nodiscard]] layout::Size label_size(const EventSquare& square);
+/// The square with its label to the left or right.
+[[nodiscard]] PictureBox draw_square(const EventSquare& square, const layout::Point& centre, std::size_t owner,
+                                     bool label_left);
+/// The square at a port. The label is where the port says; otherwise as above.
+[[nodiscard]] PictureBox draw_square(const EventSquare& square, const layout::PlacedPort& port,
+                                     const layout::Point& corner, std::size_t owner, bool label_left);
+
+/// Moves a picture so that everything is inside its size, with a margin.
+void crop(Picture& picture);
+
+}  // namespace robochart::diagrams

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// The layout of a component by a person, keyed by declarations. frontend/diagrams/stored reads it from RoboTool's files.
+#pragma once
+
+#include <unordered_map>
+
+#include "frontend/diagrams/layout/drawn_level.hpp"
+#include "frontend/syntax/ast.hpp"
+
+namespace robochart::diagrams {
+
+/// The area of the nodes of a machine or state, or of the components of a component.
+struct StoredArea {
+    layout::Size size;            ///< 0: automatic
+    std::optional<double> above;  ///< height of the part of the diagram above the area, including the title
+};
+
+/// The layout of one component. Its maps are used for lookup only. Positions are relative to the enclosing area.
+struct StoredLayout {
+    std::unordered_map<const frontend::Declaration*, layout::DrawnBox> boxes;   ///< nodes, components, the component
+                                                                                ///< itself
+    std::unordered_map<const frontend::Declaration*, StoredArea> areas;         ///< of components, machines, states
+    std::unordered_map<const frontend::Declaration*, layout::DrawnEdge> lines;  ///< transitions, connections
+    /// Events on the border of the component or of its components.
+    std::unordered_map<const frontend::Declaration*,
+                       std::unordered_map<const frontend::Declaration*, layout::DrawnPort>>
+        squares;
+
+    [[nodiscard]] std::optional<layout::DrawnBox> box(const frontend::Declaration* of) const;
+    [[nodiscard]] StoredArea area(const frontend::Declaration* of) const;
+    [[nodiscard]] std::optional<layout::DrawnEdge> line(const frontend::Declaration* of) const;
+    [[nodiscard]] std::optional<layout::DrawnPort> square(const frontend::Declaration* owner,
+                                                          const frontend::Declaration* event) const;
+    /// The size of a component in the diagram, if known.
+    [[nodiscard]] layout::Size size(const frontend::Declaration* of) const;
+};
+
+}  // namespace robochart::diagrams

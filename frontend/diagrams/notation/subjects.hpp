@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of a model that have a diagram, and their diagrams.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frontend/diagrams/notation/painter.hpp"
+
+namespace robochart::diagrams {
+
+/// A component, or the types and interfaces of a package.
+struct Subject {
+    std::string name;  ///< "P::C::S"; for a package without a name, the name of its file
+    std::string file;  ///< for file names: letters, digits, "_"; unique
+    const frontend::Declaration* component = nullptr;  ///< null for a package
+    std::vector<const frontend::File*> files;          ///< of the package
+};
+
+/// True for a component, which has its own diagram.
+[[nodiscard]] bool has_diagram(const frontend::Declaration& declaration);
+
+/// In textual order: modules, controllers, machines, operations and platforms (also inline ones), then every package
+/// with types, functions or interfaces. `paths`: the paths of the texts, which name packages without a name.
+[[nodiscard]] std::vector<Subject> subjects(const frontend::Model& model, const diagnostics::SourceManager& sources);
+
+/// The diagram. A model with errors is drawn as far as possible; an unresolved name is drawn as a box. Throws
+/// layout::TooLarge.
+[[nodiscard]] Picture draw(const Subject& subject, const Drawing& drawing);
+
+}  // namespace robochart::diagrams

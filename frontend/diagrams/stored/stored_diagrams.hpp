@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The diagrams of a model that people drew in RoboTool. They are searched for in the folders of the model's files, and
+// used if they match the current model. They are never written.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "base/diagnostics/diagnostic.hpp"
+#include "frontend/diagrams/notation/stored_layout.hpp"
+#include "frontend/diagrams/stored/aird_files.hpp"
+
+namespace robochart::diagrams {
+
+/// The name of the file in which RoboTool stores diagrams.
+inline constexpr std::string_view aird_file = "representations.aird";
+
+/// The diagram of a component in such a file.
+struct StoredDiagram {
+    std::string file;  ///< its path
+    StoredLayout layout;
+    std::size_t elements = 0;  ///< nodes, parts, squares of events and lines
+    std::size_t found = 0;     ///< number of these that the model has, with their names or ends
+    std::size_t boxes = 0;     ///< nodes and parts
+    std::size_t stacked = 0;   ///< number of these at the place of another one, because nobody moved them
+
+    /// True if a person arranged it; false if it is as RoboTool created it.
+    [[nodiscard]] bool is_drawn() const { return elements > 0 && stacked * 100 <= boxes * 5; }
+    /// True if it matches this model.
+    [[nodiscard]] bool fits() const { return is_drawn() && found * 100 >= elements * 95; }
+};
+
+/// The diagrams of the components of one or more models.
+class StoredDiagrams {
+public:
+    /// No diagrams.
+    StoredDiagrams() = default;
+    /// The same as `read`, but without findings; for servers.
+    StoredDiagrams(const frontend::Model& model, const diagnostics::SourceManager& sources, AirdFiles& files,
+                   diagnostics::Budget* budget);
+
+    /// Adds the diagrams in files `representations.aird` in the folders of the model's files and in their common
+    /// folder. A file that cannot be read is reported once.
+    void read(const frontend::Model& model, diagnostics::SourceManager& sources, diagnostics::Diagnostics& out);
+    /// Adds the diagrams of a file with this path. If a component has several diagrams, the one that fits best is kept,
+    /// or the first of those that fit equally well.
+    void add(const Aird& aird, const std::string& path, const frontend::Model& model,
+             const diagnostics::SourceManager& sources, diagnostics::Budget* budget);
+
+    /// The diagram of a component, even if it does not match this model; null if there is none.
+    [[nodiscard]] const StoredDiagram* diagram(const frontend::Declaration* component) const;
+    /// The layout of a component; null if there is no diagram that matches this model.
+    [[nodiscard]] const StoredLayout* find(const frontend::Declaration* component) const;
+    /// Reports why the diagram of a component is not used, or which parts it does not contain.
+    void explain(const frontend::Declaration* component, diagnostics::Diagnostics& out) const;
+
+private:
+    std::map<std::string, Aird> files_;                                         ///< read by `read`, by path
+    std::unordered_map<const frontend::Declaration*, StoredDiagram> diagrams_;  ///< for lookup only
+};
+
+}  // namespace robochart::diagrams

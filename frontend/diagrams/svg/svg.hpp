@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes pictures as SVG: a self-contained file, readable with light and dark themes. docs/diagrams.md shows it.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "frontend/diagrams/notation/elements.hpp"
+#include "frontend/diagrams/notation/picture.hpp"
+
+namespace robochart::diagrams {
+
+/// The colour theme.
+enum class Theme {
+    automatic,  ///< follows the reader's preference (prefers-color-scheme)
+    light,
+    dark,
+};
+
+/// Options for writing a picture.
+struct SvgOptions {
+    Theme theme = Theme::automatic;
+    std::string id_prefix;  ///< before all ids, if one document contains several pictures
+    /// Additional classes for groups, by element id, for style sheets of the enclosing document.
+    std::map<std::string, std::string> classes = {};
+};
+
+/// The picture. The group of an element has the element's id; a second group of the same element has `ID-2`.
+/// `data-element` is the id without prefix or number. Names are always escaped as text.
+[[nodiscard]] std::string svg(const Picture& picture, const Elements& elements, const SvgOptions& options = {});
+
+}  // namespace robochart::diagrams

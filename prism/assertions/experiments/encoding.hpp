@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The interface of an encoding of RoboChart as Markov models: the meaning of names in properties, and the models for
+// values of constants.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "prism/explore/state_space.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+#include "prism/assertions/properties/elements.hpp"
+#include "prism/assertions/properties/question.hpp"
+
+namespace robochart::probability {
+
+/// Translates names of a PRISM model to terms of the RoboChart model.
+struct Wording {
+    struct Variable {
+        std::string begin;                           ///< "M::c::s at ", "M::c::s::x = "
+        std::map<std::int32_t, std::string> values;  ///< names of values that are not numbers
+    };
+    std::map<std::string, Variable> variables;   ///< other variables are internal to the encoding
+    std::map<std::string, std::string> actions;  ///< the events
+    std::map<std::string, std::string> modules;  ///< the machines
+};
+
+/// A model for random paths, whose states are not explored.
+struct Unexplored {
+    const prism::Instance& instance;
+    const Wording& wording;
+};
+
+class Encoding {
+public:
+    Encoding() = default;
+    virtual ~Encoding() = default;
+    Encoding(const Encoding&) = delete;
+    Encoding& operator=(const Encoding&) = delete;
+
+    [[nodiscard]] virtual Elements& elements() = 0;
+    /// The constant of the RoboChart model with this path, to which values are given. Throws NotExpressed.
+    [[nodiscard]] virtual prism::Constant constant(const std::string& path) = 0;
+    /// The states of the model, extended as the question requires, for values of constants by their PRISM names. Valid
+    /// until the next call. Throws NotExpressed, Wrong, prism::EvaluationError, diagnostics::LimitReached.
+    [[nodiscard]] virtual const prism::StateSpace& space(const Question&, const prism::Values&) = 0;
+    /// The same model, not explored, for random paths. Throws like `space`.
+    [[nodiscard]] virtual Unexplored unexplored(const Question&, const prism::Values&) = 0;
+    /// True if a question has a single value; otherwise it has the least and the greatest value over all schedulers.
+    [[nodiscard]] virtual bool one_value() const = 0;
+};
+
+}  // namespace robochart::probability

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Decides a probabilistic assertion for every combination of the values that it gives to constants.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "prism/session/result.hpp"
+#include "base/diagnostics/budget.hpp"
+#include "prism/assertions/experiments/encoding.hpp"
+#include "prism/assertions/properties/question.hpp"
+
+namespace robochart::probability {
+
+/// A random path in terms of the model.
+struct Path {
+    struct Step {
+        std::string by;       ///< the events, otherwise the machine that moves
+        std::string changes;  ///< "M::c::s at A, M::c::s::x = 1"; "" if only internal variables change
+    };
+    std::string begin;  ///< the initial state
+    std::vector<Step> steps;
+    bool deadlock = false;  ///< no step is possible at its end
+};
+
+/// The answer for one combination.
+struct Row {
+    std::vector<std::pair<std::string, std::string>> constants;  ///< names as written, and values
+    /// One result. For a question over all schedulers: the least value, then the greatest. Empty if there is an error.
+    std::vector<prism::Result> results;
+    std::optional<Path> path = {};  ///< if one was requested
+    std::string error;              ///< why it cannot be evaluated; "" if there is no error
+    std::uint64_t states = 0, transitions = 0;
+    double seconds = 0;
+};
+
+/// Options for deciding questions.
+struct Deciding {
+    double relative = 1e-6;  ///< width of intervals relative to their values
+    bool exact = false;      ///< exact fractions
+    std::uint64_t seed = 0;  ///< for random paths, if the question is answered by them
+    unsigned threads = 0;    ///< for random paths; 0: one per core
+};
+
+/// Decides the question; `found` is called with each row as soon as it is known. Throws NotExpressed if an element has
+/// no counterpart, and Wrong if values are wrong. LimitReached is thrown if the budget is exhausted. If a model has too
+/// many states, its row contains the error.
+void decide(Encoding&, const Question&, const Deciding&, diagnostics::Budget&, const std::function<void(Row)>& found);
+
+}  // namespace robochart::probability

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random paths in terms of the model.
+#pragma once
+
+#include "prism/sampling/random_path.hpp"
+#include "prism/assertions/experiments/encoding.hpp"
+#include "prism/assertions/experiments/experiment.hpp"
+
+namespace robochart::probability {
+
+/// Each step with its events or its machine, and its changes in terms of the model.
+[[nodiscard]] Path in_words(const prism::RandomPath& path, const Unexplored& model);
+
+}  // namespace robochart::probability

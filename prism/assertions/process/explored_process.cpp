@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// See explored_process.hpp.
+#include "prism/assertions/process/explored_process.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "csp_emit/emit.hpp"
+#include "prism/assertions/experiments/encoding.hpp"
+#include "counterexample/evaluation_failure.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::probability {
+namespace {
+
+const cspm::ExprPtr& component_process(const csp_emit::Emission& emission, const std::string& path) {
+    const auto found = std::ranges::find_if(
+        emission.components, [&](const csp_emit::ComponentProcesses& each) { return each.path == path; });
+    if (found == emission.components.end()) throw Wrong(fmt::format("{} has no process of its own", path));
+    return found->process;
+}
+
+/// The timed semantics. Throws Wrong if there is none.
+csp_emit::Emission emitted(const ir::System& system, const ir::Instantiation& instantiation, bool whole_states,
+                           bool share_modules, diagnostics::SourceManager& sources, diagnostics::Budget* budget) {
+    diagnostics::Diagnostics findings;
+    if (budget != nullptr) findings.within(budget);
+    csp_emit::Options options;
+    options.whole_states = whole_states;
+    options.share_modules = share_modules;
+    csp_emit::Emission result =
+        csp_emit::emit(system, instantiation, csp_emit::Time::timed, options, sources, findings);
+    for (const diagnostics::Diagnostic& each : findings.sorted())
+        if (each.rule->severity == diagnostics::Severity::error) throw Wrong(each.message());
+    return result;
+}
+
+refine::Limits limits_of(const diagnostics::Budget* budget) {
+    refine::Limits limits;
+    if (budget != nullptr) static_cast<diagnostics::Limits&>(limits) = budget->limits();
+    return limits;
+}
+
+/// Checks that the explored process is branching bisimilar to the process of assertions.
+void compare(ExploredProcess& made, const ir::System& system, const std::string& subject,
+             diagnostics::SourceManager& sources, diagnostics::Budget* budget, const std::function<void()>& poll) {
+    const csp_emit::Emission usual = emitted(system, made.instantiation, false, true, sources, budget);
+    cspm::Session session(usual.script, budget);
+    const auto other = session.system(component_process(usual, subject), limits_of(budget));
+    if (!agrees(*made.exploration, made.session->event_table(), *other, poll))
+        throw std::logic_error(
+            fmt::format("the states of {} with all values are not bisimilar to its process", subject));
+    made.compared = made.exploration->size();
+}
+
+}  // namespace
+
+std::unique_ptr<ExploredProcess> explore_process(const ir::System& system, const ir::ComponentRef& subject,
+                                                 ir::Instantiation instantiation,
+                                                 const std::vector<ObservedEvent>& observed,
+                                                 diagnostics::SourceManager& sources, const ExploreLimits& limits) {
+    auto made = std::make_unique<ExploredProcess>();
+    made->instantiation = std::move(instantiation);
+    made->instantiation.budget = limits.budget;
+    const std::string path = ir::qualified(subject);
+    const auto poll = [budget = limits.budget] {
+        if (budget != nullptr) budget->poll();
+    };
+    made->emission = emitted(system, made->instantiation, true, observed.empty(), sources, limits.budget);
+    observe(made->emission, observed);
+    try {
+        made->session = std::make_unique<cspm::Session>(made->emission.script, limits.budget, true);
+        made->system = made->session->whole_system(component_process(made->emission, path), limits_of(limits.budget));
+        made->exploration = std::make_unique<Exploration>(*made->system, limits.most_states, poll);
+    } catch (const cspm::EvaluationError& error) {
+        throw Wrong(runs::placed_failure(error, system, sources));
+    }
+    made->context.reset(
+        new runs::Context{made->emission.provenance, system, made->instantiation, sources, *made->session});
+    made->steps = std::make_unique<runs::StepReader>(*made->context);
+    made->reader = std::make_unique<StateReader>(*made->system, *made->steps);
+    if (made->exploration->size() <= limits.compared_states) compare(*made, system, path, sources, limits.budget, poll);
+    return made;
+}
+
+}  // namespace robochart::probability

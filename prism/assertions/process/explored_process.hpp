@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The timed process of a component with all its states, and the objects that read them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "checker/cspm/session.hpp"
+#include "csp_emit/base/emission.hpp"
+#include "base/diagnostics/budget.hpp"
+#include "base/diagnostics/source.hpp"
+#include "prism/assertions/process/exploration.hpp"
+#include "prism/assertions/process/observers.hpp"
+#include "prism/assertions/process/state_reader.hpp"
+#include "counterexample/step_reader.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::probability {
+
+struct ExploredProcess {
+    ir::Instantiation instantiation;
+    csp_emit::Emission emission;
+    std::unique_ptr<cspm::Session> session;
+    std::unique_ptr<lts::TransitionSystem> system;
+    std::unique_ptr<Exploration> exploration;
+    std::unique_ptr<runs::Context> context;
+    std::unique_ptr<runs::StepReader> steps;
+    std::unique_ptr<StateReader> reader;
+    std::uint64_t compared = 0;  ///< states of the comparison; 0: not compared
+};
+
+struct ExploreLimits {
+    std::uint64_t most_states = 500'000'000;
+    /// Up to this number of states, the process is compared by branching bisimulation with the one that is used for
+    /// refinement checks.
+    std::uint64_t compared_states = 1'000'000;
+    diagnostics::Budget* budget = nullptr;
+};
+
+/// System and sources must outlive the result. Throws Wrong if there is no such process, and diagnostics::LimitReached.
+[[nodiscard]] std::unique_ptr<ExploredProcess> explore_process(const ir::System&, const ir::ComponentRef& subject,
+                                                               ir::Instantiation,
+                                                               const std::vector<ObservedEvent>& observed,
+                                                               diagnostics::SourceManager&, const ExploreLimits&);
+
+}  // namespace robochart::probability

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Computes which states of a machine can follow each other after some time units, for any environment. The result is a
+// proof about the timed semantics of its component, because the computation uses all states.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "prism/assertions/process/explored_process.hpp"
+
+namespace robochart::probability {
+
+/// Classes are bit sets: bit i is set if the i-th of the given states is active.
+struct Following {
+    std::vector<std::uint32_t> classes;    ///< classes in which time passes, ascending
+    std::vector<bool> first;               ///< for each class: the component can start in it
+    std::vector<std::vector<bool>> after;  ///< [from][to], after exactly this number of time units
+};
+
+/// Throws Wrong if a variable or event of the component's machines, or of an operation, has values that are not in the
+/// finite instantiation.
+void check_finite(const ir::System&, const ir::ComponentRef& subject);
+
+/// `states`: at most 32 states of the component's first machine, by their paths in it. A class belongs to a state in
+/// which a time unit passes; both the state before and the state after this step count. So it is the class at the end
+/// of a control cycle under either definition. Throws Wrong if the machine has no such state, or if generated code may
+/// do something that the process does not: values are missing, it may terminate, time may stop, or time may pass while
+/// a transition is taken.
+[[nodiscard]] Following following(const ExploredProcess&, const ir::System&, const ir::ComponentRef& subject,
+                                  const std::vector<std::string>& states, std::uint64_t units,
+                                  const std::function<void()>& poll);
+
+}  // namespace robochart::probability

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+// See process_encoding.hpp.
+#include "prism/assertions/process/process_encoding.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "prism/checks/check.hpp"
+#include "prism/assertions/process/explored_process.hpp"
+#include "prism/assertions/process/observers.hpp"
+#include "prism/assertions/process/subgraph.hpp"
+#include "semantics/instantiate/given_constants.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::probability {
+namespace {
+
+std::string first_error(const diagnostics::Diagnostics& diagnostics) {
+    for (const diagnostics::Diagnostic& each : diagnostics.sorted())
+        if (each.rule->severity == diagnostics::Severity::error) return each.message();
+    return "";
+}
+
+std::string magnitude(const boost::multiprecision::cpp_int& value) {
+    std::string digits = value.str();
+    return value < 0 ? digits.substr(1) : digits;
+}
+
+/// A number as a RoboChart literal.
+std::string literal_of(const ir::System& system, const ir::Constant& constant, const prism::Value& value) {
+    const ir::Type& type = system.type(constant.type);
+    if (type.kind == ir::TypeKind::boolean) return value.integer != 0 ? "true" : "false";
+    if (type.kind == ir::TypeKind::enumeration) {
+        if (value.integer < 0 || static_cast<std::size_t>(value.integer) >= type.labels.size())
+            throw Wrong(fmt::format("{} is no literal of {}", value.text(), type.name));
+        return type.name + "::" + type.labels[static_cast<std::size_t>(value.integer)];
+    }
+    if (value.type != prism::Type::real) return value.text();
+    // Fails if there is no decimal: a third is not a literal.
+    Rational rest = value.real.value();
+    constexpr unsigned most_places = 18;
+    for (unsigned places = 0; places <= most_places; ++places, rest *= 10)
+        if (denominator(rest) == 1) {
+            std::string digits = magnitude(numerator(rest));
+            if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
+            if (places > 0) digits.insert(digits.size() - places, ".");
+            return (rest < 0 ? "-" : "") + digits;
+        }
+    throw Wrong(fmt::format("the value {} of {} is no decimal number", value.text(), constant.name));
+}
+
+prism::ExprPtr number(const Rational& value) {
+    const auto whole = [](const boost::multiprecision::cpp_int& part) {
+        return prism::make_expr(prism::Op::real, {}, {}, magnitude(part) + ".0");
+    };
+    const prism::ExprPtr fraction =
+        prism::make_expr(prism::Op::divide, {}, {whole(numerator(value)), whole(denominator(value))});
+    return value < 0 ? prism::make_expr(prism::Op::minus, {}, {fraction}) : fraction;
+}
+
+}  // namespace
+
+/// The explored process for values of the constants.
+struct ProcessEncoding::Explored {
+    std::string constants;  ///< the values, as text
+    std::unique_ptr<ExploredProcess> process;
+};
+
+/// The states for a question.
+struct ProcessEncoding::Answered {
+    std::optional<prism::CheckedModel> model;
+    diagnostics::Diagnostics findings;
+    std::unique_ptr<prism::StateSpace> space;
+};
+
+ProcessEncoding::ProcessEncoding(const ir::System& system, const ir::ComponentRef& subject,
+                                 diagnostics::SourceManager& sources, ProcessOptions options)
+    : system_(system),
+      subject_(subject),
+      sources_(sources),
+      options_(std::move(options)),
+      names_(std::make_unique<ProcessNames>(system, subject_)) {}
+
+ProcessEncoding::~ProcessEncoding() = default;
+
+Elements& ProcessEncoding::elements() {
+    return *names_;
+}
+
+std::uint64_t ProcessEncoding::compared() const {
+    return explored_ ? explored_->process->compared : 0;
+}
+
+prism::Constant ProcessEncoding::constant(const std::string& path) {
+    const ConstantHere found = names_->find_constant(path);
+    const ir::Type& type = system_.type(found.seat->machine->constants[found.id.index].type);
+    return {type.kind == ir::TypeKind::boolean ? prism::Type::boolean
+            : found.real                       ? prism::Type::real
+                                               : prism::Type::integer,
+            {path, {}},
+            nullptr};
+}
+
+const ProcessEncoding::Explored& ProcessEncoding::explored(const prism::Values& constants) {
+    ir::GivenConstants chosen;
+    std::string text;
+    for (const auto& [path, value] : constants) {
+        if (path.find("::") == std::string::npos) continue;  // a constant of an assertion file
+        const ConstantHere found = names_->find_constant(path);
+        const ir::Constant& declared = found.seat->machine->constants[found.id.index];
+        const ir::ConstantSource source = ir::constant_source(system_, found.seat->module, found.seat->controller,
+                                                              found.seat->part, *found.seat->machine, found.id);
+        for (const ir::NamedConstant& each : ir::named_constants(system_))
+            if (each.name == source.name) chosen[each.path] = literal_of(system_, declared, value);
+        text += fmt::format("{}={};", path, value.text());
+    }
+    for (const ObservedEvent& each : names_->observed()) text += each.name() + (each.type.valid() ? ".val;" : ";");
+    if (explored_ && explored_->constants == text) return *explored_;
+    answered_.reset();
+    explored_.reset();  // frees memory for the next
+    auto made = std::make_unique<Explored>();
+    made->constants = text;
+    diagnostics::Diagnostics findings;
+    if (options_.budget != nullptr) findings.within(options_.budget);
+    ir::InstantiationOptions wanted = options_.instantiation;
+    wanted.constants = ir::not_overridden(system_, options_.instantiation.constants, chosen);
+    wanted.constants.merge(chosen);
+    ir::Instantiation instantiation = ir::instantiate(system_, wanted, findings);
+    if (!findings.ok()) throw Wrong(first_error(findings));
+    made->process = explore_process(system_, subject_, std::move(instantiation), names_->observed(), sources_,
+                                    {options_.max_states, options_.compared_states, options_.budget});
+    explored_ = std::move(made);
+    return *explored_;
+}
+
+namespace {
+
+/// A reward of an event becomes one reward for each set of simultaneous events that contains it. `[]` applies to every
+/// step except tock.
+void add_items(const prism::RewardItem& item, const std::vector<EventSet>& happening,
+               std::vector<prism::RewardItem>& items) {
+    if (!item.transition || item.action.text == tock_action) return items.push_back(item);
+    for (const EventSet events : happening) {
+        bool earns = item.action.text.empty();
+        for (std::size_t i = 0; i < most_observed && !earns; ++i)
+            earns = (events >> i & 1U) != 0 && item.action.text == observed_action(EventSet{1} << i);
+        if (!earns) continue;
+        prism::RewardItem one = item;
+        one.action.text = observed_action(events);
+        items.push_back(std::move(one));
+    }
+}
+
+}  // namespace
+
+/// The declarations that PRISM's language needs: names of observables, and rewards.
+prism::ModelFile ProcessEncoding::declarations(const Explored& found, const Question& question,
+                                               const std::vector<EventSet>& happening) const {
+    const Weights weights(system_, found.process->instantiation);
+    prism::ModelFile file;
+    file.kind = prism::ModelKind::mdp;
+    file.kind_given = true;
+    file.constants = question.model_constants;
+    file.constants.push_back(
+        {prism::Type::real, {ProcessNames::units, {}}, number(found.process->instantiation.scale)});
+    for (const ConstantHere& each : names_->constants())
+        file.constants.push_back(
+            {prism::Type::real, {each.name, {}}, number(weights.constant(*each.seat->machine, each.id, *each.seat))});
+    for (const Observable& each : names_->observables())
+        file.globals.push_back(
+            {{each.name, {}}, each.boolean ? prism::Type::boolean : prism::Type::integer, nullptr, nullptr, nullptr});
+    // PRISM requires a variable and a module.
+    if (file.globals.empty()) file.globals.push_back({{"nothing__", {}}, prism::Type::boolean, {}, {}, {}});
+    file.modules.push_back({{"process__", {}}, {}, {}, {}, {}});
+    for (const prism::RewardStructure& each : question.rewards) {
+        file.rewards.push_back({each.name, {}});
+        for (const prism::RewardItem& item : each.items) add_items(item, happening, file.rewards.back().items);
+    }
+    return file;
+}
+
+/// The value of an observable in a state. Throws Wrong if it has none.
+std::int32_t ProcessEncoding::value_in(const Explored& found, lts::StateIndex state, const Observable& asked) const {
+    const std::vector<std::size_t>& parts = found.process->reader->parts(found.process->exploration->state(state));
+    for (const std::size_t number : parts) {
+        const Part& part = found.process->reader->part(number);
+        if (asked.variable.empty()) {
+            if (part.in_state(asked.component, asked.state)) return 1;
+            continue;
+        }
+        const auto held = part.variable(asked.component, asked.variable);
+        const auto value = held ? number_of(system_, found.process->instantiation, *held) : std::nullopt;
+        if (!value) continue;
+        if (*value < std::numeric_limits<std::int32_t>::min() || *value > std::numeric_limits<std::int32_t>::max())
+            throw Wrong(fmt::format("a value of {} has more than 32 bits", asked.variable));
+        return static_cast<std::int32_t>(*value);
+    }
+    if (asked.variable.empty() || asked.carried) return 0;
+    throw Wrong(fmt::format("{} of {} has no value in the state {}", asked.variable, asked.component,
+                            found.process->system->describe(found.process->exploration->state(state))));
+}
+
+DecisionProcess ProcessEncoding::decisions(const Explored& found) const {
+    const auto poll = [budget = options_.budget] {
+        if (budget != nullptr) budget->poll();
+    };
+    const auto under = [&](Scheduler scheduler) {
+        return decision_process(*found.process->exploration, *found.process->reader,
+                                {system_, found.process->instantiation, found.process->emission.provenance,
+                                 found.process->session->event_table(), names_->seats(), names_->observed()},
+                                scheduler, poll);
+    };
+    DecisionProcess result = under(options_.scheduler);
+    const bool compared = found.process->exploration->size() <= options_.compared_states;
+    if (compared && options_.scheduler == Scheduler::urgent && !is_subgraph(result, under(Scheduler::any), poll))
+        throw std::logic_error(fmt::format("the urgent steps of {} are not among its steps", ir::qualified(subject_)));
+    return result;
+}
+
+prism::GivenSpace ProcessEncoding::states(const Explored& found, DecisionProcess process) const {
+    const auto poll = [budget = options_.budget] {
+        if (budget != nullptr) budget->poll();
+    };
+    prism::GivenSpace result{std::move(process.model), std::move(process.deadlocks), {}};
+    for (const lts::StateIndex origin : process.origins) {
+        poll();
+        for (const Observable& each : names_->observables()) result.values.push_back(value_in(found, origin, each));
+        if (names_->observables().empty()) result.values.push_back(0);
+    }
+    return result;
+}
+
+Unexplored ProcessEncoding::unexplored(const Question& /*question*/, const prism::Values& /*constants*/) {
+    throw NotExpressed(
+        "random paths of a decision process depend on who chooses: they are taken in RoboTool's encoding");
+}
+
+const prism::StateSpace& ProcessEncoding::space(const Question& question, const prism::Values& constants) {
+    if (!question.modules.empty())
+        throw NotExpressed(
+            "`with modules`: the modules of assertions run beside models of PRISM, in RoboTool's encoding");
+    const Explored& found = explored(constants);
+    auto made = std::make_unique<Answered>();
+    DecisionProcess process = decisions(found);
+    made->model = prism::check_model(declarations(found, question, process.happening), made->findings);
+    if (!made->model) throw Wrong(first_error(made->findings));
+    prism::Values of_file;
+    for (const auto& [name, value] : constants)
+        if (name.find("::") == std::string::npos) of_file.emplace(name, value);
+    made->space = std::make_unique<prism::StateSpace>(
+        *made->model, of_file, states(found, std::move(process)),
+        prism::ExploreOptions{options_.max_states, options_.exact, options_.budget}, made->findings);
+    answered_ = std::move(made);
+    return *answered_->space;
+}
+
+}  // namespace robochart::probability

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// The timed CSP semantics of a component as a Markov decision process. This encoding resolves no choice that the model
+// leaves open, and bounds count time units.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "base/diagnostics/source.hpp"
+#include "prism/assertions/experiments/encoding.hpp"
+#include "prism/assertions/process/decision_process.hpp"
+#include "prism/assertions/process/process_names.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::probability {
+
+struct ProcessOptions {
+    Scheduler scheduler = Scheduler::any;
+    /// The user's options; values that assertions give to constants are added.
+    ir::InstantiationOptions instantiation;
+    std::uint64_t max_states = 500'000'000;
+    /// Up to this number of states, the process is compared with the one that is used for refinement checks, and the
+    /// urgent scheduler with all schedulers.
+    std::uint64_t compared_states = 1'000'000;
+    bool exact = false;
+    diagnostics::Budget* budget = nullptr;
+};
+
+class ProcessEncoding final : public Encoding {
+public:
+    /// All arguments must outlive the object. `subject`: a module, a controller or a machine.
+    ProcessEncoding(const ir::System& system, const ir::ComponentRef& subject, diagnostics::SourceManager& sources,
+                    ProcessOptions options);
+    ~ProcessEncoding() override;
+
+    [[nodiscard]] Elements& elements() override;
+    [[nodiscard]] prism::Constant constant(const std::string& path) override;
+    [[nodiscard]] const prism::StateSpace& space(const Question&, const prism::Values&) override;
+    /// Throws NotExpressed.
+    [[nodiscard]] Unexplored unexplored(const Question&, const prism::Values&) override;
+    [[nodiscard]] bool one_value() const override { return options_.scheduler == Scheduler::uniform; }
+    /// The number of states in the comparison with the process for refinement checks; 0: not compared.
+    [[nodiscard]] std::uint64_t compared() const;
+
+private:
+    struct Explored;
+    struct Answered;
+
+    const Explored& explored(const prism::Values&);
+    [[nodiscard]] prism::ModelFile declarations(const Explored& found, const Question& question,
+                                                const std::vector<EventSet>& happening) const;
+    [[nodiscard]] std::int32_t value_in(const Explored& found, lts::StateIndex state, const Observable& asked) const;
+    [[nodiscard]] DecisionProcess decisions(const Explored& found) const;
+    [[nodiscard]] prism::GivenSpace states(const Explored& found, DecisionProcess process) const;
+
+    const ir::System& system_;
+    const ir::ComponentRef& subject_;
+    diagnostics::SourceManager& sources_;
+    ProcessOptions options_;
+    std::unique_ptr<ProcessNames> names_;
+    std::unique_ptr<Explored> explored_;  ///< the latest one; questions about one model come one after another
+    std::unique_ptr<Answered> answered_;
+};
+
+}  // namespace robochart::probability

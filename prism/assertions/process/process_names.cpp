@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+// See process_names.hpp.
+#include "prism/assertions/process/process_names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "prism/syntax/lexer.hpp"
+#include "prism/assertions/process/decision_process.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::probability {
+namespace {
+
+using prism::ExprPtr;
+using prism::Op;
+
+[[noreturn]] void absent(const std::string& what, const std::string& path) {
+    throw NotExpressed(fmt::format("the process has no {} `{}`", what, path));
+}
+
+std::string owner_of(const std::string& path) {
+    const std::size_t at = path.rfind("::");
+    return at == std::string::npos ? "" : path.substr(0, at);
+}
+
+std::string last_of(const std::string& path) {
+    return path.substr(path.rfind(':') + 1);
+}
+
+ExprPtr named(const std::string& name) {
+    return prism::make_expr(Op::name, {}, {}, name);
+}
+
+/// True if values of the type are numbers in PRISM.
+bool is_number(const ir::System& system, ir::TypeId id) {
+    const ir::Type& type = system.type(id);
+    const bool plain = std::ranges::all_of(type.literal_args, [](const auto& arguments) { return arguments.empty(); });
+    return type.kind == ir::TypeKind::nat || type.kind == ir::TypeKind::integer || type.kind == ir::TypeKind::real ||
+           (type.kind == ir::TypeKind::enumeration && plain);
+}
+
+}  // namespace
+
+ProcessNames::ProcessNames(const ir::System& system, const ir::ComponentRef& subject)
+    : system_(system), subject_(subject), seats_(seats_in(system, subject)) {}
+
+const Seat* ProcessNames::seat(const std::string& path) const {
+    const auto found = std::ranges::find_if(seats_, [&](const Seat& each) { return each.path == path; });
+    return found == seats_.end() ? nullptr : &*found;
+}
+
+bool ProcessNames::taken(const std::string& name) const {
+    return name == units || std::ranges::any_of(observables_, [&](const auto& each) { return each.name == name; }) ||
+           std::ranges::any_of(constants_, [&](const auto& each) { return each.name == name; });
+}
+
+std::string ProcessNames::free_name(const std::string& path) const {
+    std::string name = path;
+    for (std::size_t at = name.find("::"); at != std::string::npos; at = name.find("::")) name.replace(at, 2, "_");
+    while (prism::is_reserved(name) || taken(name)) name += "_";
+    return name;
+}
+
+ExprPtr ProcessNames::observed(Observable observable) {
+    for (const Observable& each : observables_)
+        if (each.component == observable.component && each.variable == observable.variable &&
+            each.state == observable.state)
+            return named(each.name);
+    observables_.push_back(std::move(observable));
+    return named(observables_.back().name);
+}
+
+ExprPtr ProcessNames::variable(const std::string& path) {
+    const std::string name = last_of(path);
+    const Seat* const where = seat(owner_of(path));
+    if (where == nullptr) return shared_variable(path, name);
+    const auto& variables = where->machine->variables;
+    const auto found = std::ranges::find_if(variables, [&](const ir::Variable& each) { return each.name == name; });
+    if (found == variables.end()) absent("variable", path);
+    const bool boolean = system_.type(found->type).kind == ir::TypeKind::boolean;
+    if (!boolean && !is_number(system_, found->type))
+        throw NotExpressed(fmt::format("`{}` has the type {}, which is none of numbers, truths and plain literals",
+                                       path, system_.type(found->type).name));
+    const ExprPtr read = observed({free_name(path), where->component, name, "", boolean});
+    if (system_.type(found->type).kind != ir::TypeKind::real) return read;
+    return prism::make_expr(Op::divide, {}, {read, named(units)});
+}
+
+/// The machines that require a variable of the platform or of a controller hold its value. If one machine requires it,
+/// that machine has the current value; if several do, some may still have the old value.
+ExprPtr ProcessNames::shared_variable(const std::string& path, const std::string& name) {
+    const Seat* only = nullptr;
+    for (const Seat& each : seats_)
+        for (const ir::Variable& variable : each.machine->variables)
+            if (variable.name == name && variable.scope == ir::VariableScope::required) {
+                if (only != nullptr)
+                    throw NotExpressed(
+                        fmt::format("`{}` is shared by {} and {}, which may know different values of it: ask for the "
+                                    "one of a machine",
+                                    path, only->path, each.path));
+                only = &each;
+            }
+    if (only == nullptr) absent("variable", path);
+    return variable(only->path + "::" + name);
+}
+
+ConstantHere ProcessNames::find_constant(const std::string& path) const {
+    const std::string name = last_of(path);
+    const std::string owner = owner_of(path);
+    for (const Seat& each : seats_) {
+        // A constant that a module or controller provides is that of the machines that require it.
+        const bool inside =
+            each.path == owner || each.path.starts_with(owner + "::") || owner.starts_with(subject_.path);
+        const auto& constants = each.machine->constants;
+        for (std::uint32_t i = 0; i < constants.size() && inside; ++i)
+            if (constants[i].name == name && (each.path == owner || constants[i].required))
+                return {"", &each, {i}, system_.type(constants[i].type).kind == ir::TypeKind::real};
+    }
+    absent("constant", path);
+}
+
+ExprPtr ProcessNames::constant(const std::string& path) {
+    ConstantHere found = find_constant(path);
+    for (const ConstantHere& each : constants_)
+        if (each.seat == found.seat && each.id.index == found.id.index) return named(each.name);
+    found.name = free_name(path);
+    constants_.push_back(found);
+    return named(found.name);
+}
+
+ExprPtr ProcessNames::in_state(const std::string& machine, const std::string& state) {
+    const Seat* const where = seat(machine);
+    if (where == nullptr) absent("state machine", machine);
+    for (const ir::Node& node : where->machine->nodes)
+        if (node.path == state)
+            return observed({free_name(machine + "::" + state), where->component, "", node.origin.element, true});
+    absent("state", machine + "::" + state);
+}
+
+/// The direction is seen from the declaration of the event: `in` means into the software, so out of the platform.
+std::size_t ProcessNames::observed_event(const std::string& path, const std::string& direction, bool valued) {
+    const std::string name = last_of(path);
+    const ir::Event* event = nullptr;
+    std::string component;
+    bool inwards = direction == "in";
+    const auto look = [&](const std::vector<ir::Event>& events, const std::string& of) {
+        const auto found = std::ranges::find_if(events, [&](const auto& each) { return each.name == name; });
+        if (found == events.end()) return;
+        event = &*found;
+        component = of;
+    };
+    if (const Seat* const where = seat(owner_of(path))) {
+        look(where->machine->events, where->component);
+    } else if (subject_.kind == ir::ComponentKind::module) {
+        const ir::Platform& platform = system_.modules[subject_.definition].platform;
+        if (owner_of(path) == subject_.path + "::" + platform.name) look(platform.events, ir::qualified(subject_));
+        inwards = !inwards;
+    }
+    if (event == nullptr || !(inwards ? event->input : event->output)) absent("event", path + "." + direction);
+    if (valued && !event->type) throw NotExpressed(fmt::format("the value of `{}`, which has none", path));
+    ObservedEvent wanted;
+    wanted.component = component;
+    wanted.event = name + (inwards ? ".in" : ".out");
+    wanted.origin = event->origin;
+    wanted.valued = event->type.has_value();
+    wanted.module = seat(owner_of(path)) == nullptr;
+    for (std::size_t i = 0; i < observed_.size(); ++i) {
+        if (observed_[i].name() != wanted.name()) continue;
+        if (valued) observed_[i].type = *event->type;
+        return i;
+    }
+    if (observed_.size() == most_observed)
+        throw NotExpressed(fmt::format("more than {} events are observed", most_observed));
+    if (valued) wanted.type = *event->type;
+    observed_.push_back(std::move(wanted));
+    return observed_.size() - 1;
+}
+
+std::string ProcessNames::action(const std::string& path, const std::string& direction) {
+    return observed_action(EventSet{1} << observed_event(path, direction, false));
+}
+
+ExprPtr ProcessNames::value(const std::string& path, const std::string& direction) {
+    const ObservedEvent& event = observed_[observed_event(path, direction, true)];
+    const bool boolean = system_.type(event.type).kind == ir::TypeKind::boolean;
+    if (!boolean && !is_number(system_, event.type))
+        throw NotExpressed(
+            fmt::format("`{}` carries values of the type {}, which is none of numbers, truths and plain "
+                        "literals",
+                        path, system_.type(event.type).name));
+    const bool real = system_.type(event.type).kind == ir::TypeKind::real;
+    const ExprPtr read = observed({free_name(path + "_" + direction), event.name(), observed_value, "", boolean, true});
+    return real ? prism::make_expr(Op::divide, {}, {read, named(units)}) : read;
+}
+
+prism::RewardItem ProcessNames::of_state(prism::RewardItem item) {
+    item.transition = true;
+    item.action.text = tock_action;
+    return item;
+}
+
+}  // namespace robochart::probability

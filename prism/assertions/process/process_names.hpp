@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// The meaning of names of properties in the states of a process.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "prism/assertions/process/observers.hpp"
+#include "prism/assertions/process/seats.hpp"
+#include "prism/assertions/properties/elements.hpp"
+
+namespace robochart::probability {
+
+/// A value that is read from the states of a process: a variable of the PRISM model.
+struct Observable {
+    std::string name;       ///< in PRISM
+    std::string component;  ///< of the machine, in the CSP semantics
+    std::string variable;   ///< "": a state is read
+    std::string state;      ///< its element
+    bool boolean = false;
+    bool carried = false;  ///< the last value that an event carried; 0 before the first
+};
+
+/// A constant of the model, and the machine that uses it.
+struct ConstantHere {
+    std::string name;  ///< in PRISM
+    const Seat* seat = nullptr;
+    ir::ConstantId id;
+    bool real = false;
+};
+
+class ProcessNames final : public Elements {
+public:
+    ProcessNames(const ir::System& system, const ir::ComponentRef& subject);
+
+    [[nodiscard]] prism::ExprPtr variable(const std::string& path) override;
+    [[nodiscard]] prism::ExprPtr constant(const std::string& path) override;
+    [[nodiscard]] prism::ExprPtr in_state(const std::string& machine, const std::string& state) override;
+    [[nodiscard]] std::string action(const std::string& path, const std::string& direction) override;
+    [[nodiscard]] prism::ExprPtr value(const std::string& path, const std::string& direction) override;
+    /// State rewards are earned per time unit that begins in the state.
+    [[nodiscard]] prism::RewardItem of_state(prism::RewardItem item) override;
+    [[nodiscard]] bool taken(const std::string& name) const override;
+
+    [[nodiscard]] const std::vector<Seat>& seats() const { return seats_; }
+    [[nodiscard]] const std::vector<Observable>& observables() const { return observables_; }
+    [[nodiscard]] const std::vector<ConstantHere>& constants() const { return constants_; }
+    [[nodiscard]] const std::vector<ObservedEvent>& observed() const { return observed_; }
+    /// The machine's constant with this path; throws NotExpressed.
+    [[nodiscard]] ConstantHere find_constant(const std::string& path) const;
+
+    /// The name of the constant with the scale of reals.
+    static constexpr const char* units = "units__";
+
+private:
+    [[nodiscard]] const Seat* seat(const std::string& path) const;
+    [[nodiscard]] std::string free_name(const std::string& path) const;
+    [[nodiscard]] prism::ExprPtr observed(Observable observable);
+    /// The index of an event in `observed`. `valued`: its values are needed.
+    [[nodiscard]] std::size_t observed_event(const std::string& path, const std::string& direction, bool valued);
+    [[nodiscard]] prism::ExprPtr shared_variable(const std::string& path, const std::string& name);
+
+    const ir::System& system_;
+    const ir::ComponentRef& subject_;
+    std::vector<Seat> seats_;
+    std::vector<Observable> observables_;
+    std::vector<ConstantHere> constants_;
+    std::vector<ObservedEvent> observed_;
+};
+
+}  // namespace robochart::probability

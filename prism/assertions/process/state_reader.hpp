@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads the states of a process: the definitions of its components, with the values of their parameters.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checker/lts/transition_system.hpp"
+#include "checker/machine/supercombinator_system.hpp"
+#include "counterexample/step_reader.hpp"
+
+namespace robochart::probability {
+
+/// A value of a parameter, as the checker prints it.
+struct Held {
+    std::string text;
+    ir::TypeId type;
+};
+
+/// The state of a component: its definitions. `machine`: a machine in the CSP semantics.
+struct Part {
+    std::vector<runs::Call> calls;
+
+    [[nodiscard]] bool in_state(const std::string& machine, const std::string& element) const;
+    /// A variable or constant by name; no value if there is none, or if two values are possible.
+    [[nodiscard]] std::optional<Held> variable(const std::string& machine, const std::string& name) const;
+};
+
+/// Reads packed states. The components of a process have few states compared with the whole, so each is read once and
+/// cached.
+class StateReader {
+public:
+    /// Both arguments must outlive the object.
+    StateReader(const lts::TransitionSystem& system, runs::StepReader& reader);
+
+    /// The parts of a state, by stable numbers. Valid until the next call.
+    [[nodiscard]] const std::vector<std::size_t>& parts(lts::StateView state);
+    [[nodiscard]] const Part& part(std::size_t number) const { return parts_[number]; }
+
+private:
+    [[nodiscard]] std::size_t number_of(process::TermId term);
+    void collect(process::TermId term, int levels, std::vector<runs::Call>& calls);
+
+    const machine::SupercombinatorSystem* compiled_;  ///< null: the states are terms
+    runs::StepReader& reader_;
+    std::map<process::TermId, std::size_t> numbers_;
+    std::vector<Part> parts_;
+    std::vector<std::size_t> found_;
+};
+
+/// A value as a whole number: a truth value is 0 or 1, a literal its index, a real its units. No value for other types.
+[[nodiscard]] std::optional<std::int64_t> number_of(const ir::System&, const ir::Instantiation&, const Held&);
+
+}  // namespace robochart::probability

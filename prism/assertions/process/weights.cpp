@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// See weights.hpp.
+#include "prism/assertions/process/weights.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "prism/assertions/experiments/encoding.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::probability {
+namespace {
+
+using ir::ExprKind;
+
+/// Limits the nesting of constants, which may be defined by each other.
+constexpr unsigned most_depth = 100;
+
+Rational power_of_ten(std::uint32_t exponent) {
+    return boost::multiprecision::pow(boost::multiprecision::cpp_int(10), exponent);
+}
+
+Rational floor_of(const Rational& value) {
+    boost::multiprecision::cpp_int quotient;
+    boost::multiprecision::cpp_int remainder;
+    boost::multiprecision::divide_qr(boost::multiprecision::cpp_int(numerator(value)),
+                                     boost::multiprecision::cpp_int(denominator(value)), quotient, remainder);
+    if (remainder < 0) --quotient;
+    return quotient;
+}
+
+Rational truth(bool value) {
+    return value ? 1 : 0;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> alike(const ir::System& system, const csp_emit::Draw& draw) {
+    const auto& transitions = system.machine(draw.machine).transitions;
+    const ir::Transition& way = transitions[draw.transition.index];
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t i = 0; i < transitions.size(); ++i) {
+        const ir::Transition& other = transitions[i];
+        const bool plain = !way.action && !other.action && way.resets.empty() && other.resets.empty();
+        if (i == draw.transition.index || (plain && other.source == way.source && other.target == way.target))
+            result.push_back(i);
+    }
+    return result;
+}
+
+Rational Weights::of(const csp_emit::Draw& draw, const Seat& seat, const ValueOf& value_of) const {
+    const ir::Machine& machine = system_.machine(draw.machine);
+    Rational result;
+    for (const std::uint32_t each : alike(system_, draw)) {
+        const ir::Transition& way = machine.transitions[each];
+        const Rational weight =
+            way.probability ? value({machine, seat, &draw, &value_of}, *way.probability) : Rational(1);
+        if (weight < 0 || weight > 1)
+            throw Wrong(fmt::format("the probability of {} is {}", ir::text_of(machine, way), weight.str()));
+        result += weight;
+    }
+    return result;
+}
+
+Rational Weights::constant(const ir::Machine& machine, ir::ConstantId id, const Seat& seat) const {
+    return constant({machine, seat, nullptr, nullptr}, id);
+}
+
+/// The instantiation overrides the value in the model. Its values are in units of the scale, which represents every
+/// decimal exactly.
+Rational Weights::constant(const Scope& scope, ir::ConstantId id) const {
+    const ir::Constant& declared = scope.machine.constants[id.index];
+    std::string part = scope.seat.part;
+    if (scope.seat.controller != nullptr && &scope.machine != scope.seat.machine)
+        for (std::size_t i = 0; i < scope.seat.controller->definitions.size(); ++i)
+            if (&system_.machine(scope.seat.controller->definitions[i]) == &scope.machine)
+                part = scope.seat.controller->definition_names[i];
+    const ir::ConstantSource source =
+        ir::constant_source(system_, scope.seat.module, scope.seat.controller, part, scope.machine, id);
+    const auto given = instantiation_.constants.find(source.name);
+    if (given != instantiation_.constants.end()) {
+        const bool real = system_.type(declared.type).kind == ir::TypeKind::real;
+        return Rational(given->second.number) / (real ? instantiation_.scale : 1);
+    }
+    const ir::ExprPtr& defined = source.constant != nullptr ? source.constant->value : declared.value;
+    if (!defined || scope.depth > most_depth) throw Wrong(fmt::format("the constant {} has no value", declared.name));
+    Scope inner = scope;
+    ++inner.depth;
+    return value(inner, *defined);
+}
+
+Rational Weights::value(const Scope& scope, const ir::Expr& expr) const {
+    const auto arg = [&](std::size_t i) { return value(scope, *expr.args[i]); };
+    switch (expr.kind) {
+        case ExprKind::boolean:
+        case ExprKind::integer:
+        case ExprKind::enum_literal:
+            return expr.number;
+        case ExprKind::real:
+            return Rational(expr.decimal.unscaled) / power_of_ten(expr.decimal.decimals);
+        case ExprKind::constant:
+            return constant(scope, expr.constant);
+        case ExprKind::variable: {
+            if (scope.value_of == nullptr) break;
+            const std::int64_t units = (*scope.value_of)(scope.draw->variables[expr.variable.index]);
+            const bool real = system_.type(expr.type).kind == ir::TypeKind::real;
+            return Rational(units) / (real ? instantiation_.scale : 1);
+        }
+        case ExprKind::negate:
+            return -arg(0);
+        case ExprKind::logical_not:
+            return truth(arg(0) == 0);
+        case ExprKind::iff:
+        case ExprKind::equal:
+            return truth(arg(0) == arg(1));
+        case ExprKind::not_equal:
+            return truth(arg(0) != arg(1));
+        case ExprKind::implies:
+            return truth(arg(0) == 0 || arg(1) != 0);
+        case ExprKind::disjunction:
+            return truth(arg(0) != 0 || arg(1) != 0);
+        case ExprKind::conjunction:
+            return truth(arg(0) != 0 && arg(1) != 0);
+        case ExprKind::greater:
+            return truth(arg(0) > arg(1));
+        case ExprKind::greater_equal:
+            return truth(arg(0) >= arg(1));
+        case ExprKind::less:
+            return truth(arg(0) < arg(1));
+        case ExprKind::less_equal:
+            return truth(arg(0) <= arg(1));
+        case ExprKind::plus:
+            return arg(0) + arg(1);
+        case ExprKind::minus:
+            return arg(0) - arg(1);
+        case ExprKind::times:
+            return arg(0) * arg(1);
+        case ExprKind::divide: {
+            const Rational divisor = arg(1);
+            if (divisor == 0) throw Wrong("a probability divides by 0");
+            // Numbers in probabilities are fractions: 1/3 is a third, even if 1 and 3 are whole numbers.
+            return arg(0) / divisor;
+        }
+        case ExprKind::if_then_else:
+            return arg(0) != 0 ? arg(1) : arg(2);
+        case ExprKind::cast: {
+            const bool rounds = system_.type(expr.type).kind != ir::TypeKind::real &&
+                                system_.type(expr.args.front()->type).kind == ir::TypeKind::real;
+            return rounds ? floor_of(arg(0)) : arg(0);
+        }
+        default:
+            break;
+    }
+    throw Wrong(
+        "a probability is an expression that is not computed exactly: numbers, variables, constants, "
+        "arithmetic, comparisons and `if` are");
+}
+
+}  // namespace robochart::probability

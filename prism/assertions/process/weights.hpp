@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Computes the probabilities of the branches of probabilistic junctions exactly, as fractions. Unlike in the CSP
+// semantics, values are not clipped or rounded: a probability is the number in the model.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prism/markov/model/model.hpp"
+#include "csp_emit/base/emission.hpp"
+#include "prism/assertions/process/seats.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::probability {
+
+using markov::Rational;
+
+/// The value of a variable in the units of the CSP semantics; throws if it is unknown.
+using ValueOf = std::function<std::int64_t(const std::string& name)>;
+
+class Weights {
+public:
+    Weights(const ir::System& system, const ir::Instantiation& instantiation)
+        : system_(system), instantiation_(instantiation) {}
+
+    /// The probability of a branch together with its equivalent branches, if its machine has this seat. Throws Wrong if
+    /// it is not a computable fraction from 0 to 1.
+    [[nodiscard]] Rational of(const csp_emit::Draw& draw, const Seat& seat, const ValueOf& value_of) const;
+    /// The value of a constant of a machine with this seat.
+    [[nodiscard]] Rational constant(const ir::Machine& machine, ir::ConstantId id, const Seat& seat) const;
+
+private:
+    struct Scope {
+        const ir::Machine& machine;
+        const Seat& seat;
+        const csp_emit::Draw* draw;
+        const ValueOf* value_of;
+        unsigned depth = 0;
+    };
+    [[nodiscard]] Rational value(const Scope& scope, const ir::Expr& expr) const;
+    [[nodiscard]] Rational constant(const Scope& scope, ir::ConstantId id) const;
+
+    const ir::System& system_;
+    const ir::Instantiation& instantiation_;
+};
+
+/// The branches that no step distinguishes: from the same junction to the same target, without actions and resets.
+/// Includes the branch itself.
+[[nodiscard]] std::vector<std::uint32_t> alike(const ir::System& system, const csp_emit::Draw& draw);
+
+}  // namespace robochart::probability

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The counterparts of names in probabilistic assertions in the model that answers them. Each encoding of RoboChart
+// defines its own. Paths are those of the RoboChart model, through references:
+// "Module::controller_ref::machine_ref::x".
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "prism/syntax/syntax.hpp"
+
+namespace robochart::probability {
+
+/// Thrown if an element of a property has no counterpart in the encoding; the message names it.
+class NotExpressed : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Thrown if the model, or the property in it, is wrong; the message says why.
+class Wrong : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// The counterparts of elements. All functions throw NotExpressed if there is none.
+class Elements {
+public:
+    Elements() = default;
+    virtual ~Elements() = default;
+    Elements(const Elements&) = delete;
+    Elements& operator=(const Elements&) = delete;
+
+    [[nodiscard]] virtual prism::ExprPtr variable(const std::string& path) = 0;
+    [[nodiscard]] virtual prism::ExprPtr constant(const std::string& path) = 0;
+    /// The condition that a machine is in a state, given by its path from the top of the machine: "Composite::Inner".
+    [[nodiscard]] virtual prism::ExprPtr in_state(const std::string& machine, const std::string& state) = 0;
+    /// The action of the steps with this event; `direction` is "in" or "out", as seen from the component.
+    [[nodiscard]] virtual std::string action(const std::string& path, const std::string& direction) = 0;
+    /// The last value that the event carried.
+    [[nodiscard]] virtual prism::ExprPtr value(const std::string& path, const std::string& direction) = 0;
+    /// A state reward, adapted to this encoding.
+    [[nodiscard]] virtual prism::RewardItem of_state(prism::RewardItem item) { return item; }
+    /// True if an element of the model already has this name in PRISM.
+    [[nodiscard]] virtual bool taken(const std::string& name) const = 0;
+};
+
+}  // namespace robochart::probability

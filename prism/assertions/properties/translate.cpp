@@ -1,0 +1,704 @@
+// SPDX-License-Identifier: Apache-2.0
+// See translate.hpp.
+#include "prism/assertions/properties/translate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "prism/syntax/lexer.hpp"
+#include "prism/syntax/printer.hpp"
+#include "frontend/resolve/component_paths.hpp"
+#include "frontend/syntax/print.hpp"
+#include "frontend/types/typer.hpp"
+#include "frontend/types/types.hpp"
+
+namespace robochart::probability {
+namespace {
+
+namespace ast = frontend;
+using ast::BinaryOp;
+using ast::ExprKind;
+using ast::PathOp;
+using ast::ProbabilisticDefinition;
+using ast::ProbabilisticKind;
+using prism::ExprPtr;
+using prism::Op;
+
+/// Nesting of definitions; a greater depth means that a definition uses itself.
+constexpr unsigned most_depth = 50;
+
+[[noreturn]] void refuse(const std::string& what) {
+    throw NotExpressed(what);
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+    std::string result;
+    for (const std::string& part : parts) result += (result.empty() ? "" : "::") + part;
+    return result;
+}
+
+Op operator_of(BinaryOp op) {
+    switch (op) {
+        case BinaryOp::iff:
+            return Op::iff;
+        case BinaryOp::implies:
+            return Op::implies;
+        case BinaryOp::disjunction:
+            return Op::disjunction;
+        case BinaryOp::conjunction:
+            return Op::conjunction;
+        case BinaryOp::equal:
+            return Op::equal;
+        case BinaryOp::not_equal:
+            return Op::unequal;
+        case BinaryOp::greater:
+            return Op::greater;
+        case BinaryOp::greater_equal:
+            return Op::greater_equal;
+        case BinaryOp::less:
+            return Op::less;
+        case BinaryOp::less_equal:
+            return Op::less_equal;
+        case BinaryOp::plus:
+            return Op::add;
+        case BinaryOp::minus:
+            return Op::subtract;
+        case BinaryOp::times:
+            return Op::multiply;
+        case BinaryOp::divide:
+            return Op::divide;
+        case BinaryOp::modulus:
+        case BinaryOp::in:
+        case BinaryOp::concat:
+            break;
+    }
+    refuse(fmt::format("the operator `{}`", ast::to_text(op)));
+}
+
+Op relation_of(const std::string& text) {
+    if (text == "<") return Op::less;
+    if (text == "<=") return Op::less_equal;
+    return text == ">" ? Op::greater : Op::greater_equal;
+}
+
+/// The definitions in the order of lookup: those of the assertion, of its file, of other files.
+class Definitions {
+public:
+    Definitions(const Assertions& all, const ast::File& file, const ast::ProbabilisticAssertion& assertion) {
+        for (const ast::ProbabilisticClause& clause : assertion.clauses)
+            if (clause.name.empty()) found_.push_back(&clause.definition);
+        add(file);
+        for (const auto& other : all.model.files)
+            if (other.get() != &file) add(*other);
+    }
+
+    [[nodiscard]] const std::vector<const ProbabilisticDefinition*>& all() const { return found_; }
+    /// Null if there is none.
+    [[nodiscard]] const ProbabilisticDefinition* find(ProbabilisticKind kind, const std::string& name) const {
+        for (const ProbabilisticDefinition* each : found_)
+            if (each->kind == kind && (name.empty() || each->name == name)) return each;
+        return nullptr;
+    }
+    /// The definition that a clause names or contains.
+    [[nodiscard]] const ProbabilisticDefinition* of(const ast::ProbabilisticClause& clause) const {
+        return clause.name.empty() ? &clause.definition : find(clause.definition.kind, clause.name.parts.back());
+    }
+    [[nodiscard]] const ast::ProbabilisticFunction* function(const std::string& name) const {
+        for (const ProbabilisticDefinition* each : found_)
+            for (const ast::ProbabilisticFunction& function : each->functions)
+                if (function.name == name && function.result) return &function;
+        return nullptr;
+    }
+    /// True if the constant is one of an assertion file.
+    [[nodiscard]] bool defines(const ast::Declaration* constant) const {
+        return std::ranges::any_of(found_, [&](const auto* each) { return each->constant.get() == constant; });
+    }
+
+private:
+    void add(const ast::File& file) {
+        for (const ProbabilisticDefinition& each : file.probabilistic_definitions) found_.push_back(&each);
+    }
+    std::vector<const ProbabilisticDefinition*> found_;
+};
+
+class Translator {
+public:
+    Translator(const Assertions& all, const ast::File& file, const Definitions& definitions, Elements& elements)
+        : all_(all), file_(file), definitions_(definitions), elements_(elements) {}
+
+    Question operator()(const ast::ProbabilisticAssertion& assertion) {
+        for (const ast::ProbabilisticClause& clause : assertion.clauses) {
+            const ProbabilisticDefinition* const definition = definitions_.of(clause);
+            if (definition == nullptr) continue;  // reported by the resolver
+            if (definition->kind == ProbabilisticKind::constants) settings(*definition);
+            if (definition->kind == ProbabilisticKind::modules) modules(*definition);
+        }
+        if (!assertion.property) return generation(assertion.path);
+        question_.property = expression(*assertion.property);
+        if (question_.simulation && question_.property != simulated_)
+            refuse("`using sim` inside another expression: random paths answer one probability or reward");
+        return std::move(question_);
+    }
+
+    Question generation(const ast::PathGeneration& path) {
+        const auto number = [&](const char* what, const ast::ExprPtr& expr) {
+            return expr ? this->number(what, *expr) : "";
+        };
+        question_.path =
+            Generation{number("for", path.steps), number("repeats", path.repeats), number("up to", path.limit)};
+        return std::move(question_);
+    }
+
+    ExprPtr apply(const ast::ProbabilisticFunction& function, std::vector<ExprPtr> arguments) {
+        if (arguments.size() != function.parameters.size())
+            refuse(fmt::format("`&{}` with {} arguments, which has {} parameters", function.name, arguments.size(),
+                               function.parameters.size()));
+        const Deeper deeper(depth_);
+        std::map<const ast::Declaration*, ExprPtr> bound;
+        for (std::size_t i = 0; i < arguments.size(); ++i) bound[function.parameters[i].get()] = arguments[i];
+        std::swap(bound, bound_);
+        ExprPtr result = expression(*function.result);
+        std::swap(bound, bound_);
+        return result;
+    }
+
+private:
+    class Deeper {
+    public:
+        explicit Deeper(unsigned& depth) : depth_(depth) {
+            if (++depth_ > most_depth) refuse("a definition that uses itself");
+        }
+        ~Deeper() { --depth_; }
+        Deeper(const Deeper&) = delete;
+        Deeper& operator=(const Deeper&) = delete;
+
+    private:
+        unsigned& depth_;
+    };
+
+    // expressions
+    ExprPtr expression(const ast::Expr& expr);
+    ExprPtr node(const ast::Expr& expr, Op op, std::vector<ExprPtr> parts, std::string text = {}) {
+        return prism::make_expr(op, expr.span, std::move(parts), std::move(text));
+    }
+    std::vector<ExprPtr> operands(const ast::Expr& expr) {
+        std::vector<ExprPtr> result;
+        for (const auto& each : expr.args) result.push_back(expression(*each));
+        return result;
+    }
+    ExprPtr unary(const ast::Expr& expr);
+    ExprPtr binary(const ast::Expr& expr);
+    ExprPtr name(const ast::Expr& expr);
+    ExprPtr constant(const ast::Expr& expr);
+    ExprPtr marked(const ast::Expr& expr);
+    ExprPtr call(const ast::Expr& expr);
+    ExprPtr defined(const ast::Expr& expr, ProbabilisticKind kind);
+    ExprPtr in_state(const ast::Expr& expr);
+    ExprPtr path(const ast::Expr& expr);
+    ExprPtr quantitative(const ast::Expr& expr);
+    std::string number(const std::string& what, const ast::Expr& expr);
+    void simulate(const ast::Expr& simulation);
+    std::shared_ptr<const prism::StepBound> steps(const ast::Expr& path);
+
+    // names
+    std::string full_path(const ast::QualifiedName& name);
+    static std::string direction(const ast::Expr& event) { return event.text.substr(0, event.text.find('.')); }
+    std::string action(const ast::ExprPtr& event);
+    std::string free_name(const std::string& wanted) const;
+
+    // definitions
+    void settings(const ProbabilisticDefinition& definition);
+    std::vector<std::string> values(const ast::Expr& value);
+    void rewards(const ProbabilisticDefinition& definition);
+    void modules(const ProbabilisticDefinition& definition);
+    prism::Module module(const ast::ProbabilisticModule& module);
+    prism::Command command(const ast::Command& command);
+    prism::Assignment assignment(const ast::Update& update);
+
+    const Assertions& all_;
+    const ast::File& file_;
+    const Definitions& definitions_;
+    Elements& elements_;
+    Question question_;
+    std::map<const ast::Declaration*, ExprPtr> bound_;      ///< parameters of the function being expanded
+    std::map<const ast::Declaration*, std::string> known_;  ///< constants of assertion files
+    ExprPtr simulated_;                                     ///< the expression before `using sim`
+    bool in_model_ = false;                                 ///< inside rewards or modules
+    unsigned depth_ = 0;
+};
+
+ExprPtr Translator::expression(const ast::Expr& expr) {
+    switch (expr.kind) {
+        case ExprKind::integer:
+            return node(expr, Op::integer, {}, expr.text);
+        case ExprKind::real:
+            return node(expr, Op::real, {}, expr.text);
+        case ExprKind::boolean:
+            return node(expr, Op::boolean, {}, expr.text);
+        case ExprKind::parenthesised:
+            return expression(*expr.args.front());
+        case ExprKind::unary:
+            return unary(expr);
+        case ExprKind::binary:
+            return binary(expr);
+        case ExprKind::if_then_else:
+            return node(expr, Op::conditional, operands(expr));
+        case ExprKind::name:
+            return name(expr);
+        case ExprKind::marked:
+            return marked(expr);
+        case ExprKind::call:
+            return call(expr);
+        case ExprKind::in_state:
+            return in_state(expr);
+        case ExprKind::event:
+            if (!expr.text.ends_with(".val")) refuse(fmt::format("the event `{}` as a value", ast::to_text(expr)));
+            return elements_.value(full_path(expr.name), direction(expr));
+        case ExprKind::path:
+            return path(expr);
+        case ExprKind::probability:
+        case ExprKind::reward:
+            return quantitative(expr);
+        case ExprKind::all_paths:
+        case ExprKind::some_path:
+            return node(expr, expr.kind == ExprKind::all_paths ? Op::forall_paths : Op::exists_path, operands(expr));
+        default:
+            refuse(fmt::format("`{}`", ast::to_text(expr)));
+    }
+}
+
+ExprPtr Translator::unary(const ast::Expr& expr) {
+    return node(expr, expr.unary == ast::UnaryOp::negate ? Op::minus : Op::negation, operands(expr));
+}
+
+ExprPtr Translator::binary(const ast::Expr& expr) {
+    if (expr.binary == BinaryOp::modulus) return node(expr, Op::call, operands(expr), "mod");
+    return node(expr, operator_of(*expr.binary), operands(expr));
+}
+
+// ---------------------------------------------------------------- names
+
+std::string Translator::full_path(const ast::QualifiedName& name) {
+    Beginning begin = beginning(all_, file_, name);
+    if (begin.used == 0) refuse(fmt::format("`{}`, which begins with no component", name.text()));
+    for (std::size_t i = begin.used; i < name.parts.size(); ++i) {
+        // A platform is identified by its own name and not by that of the reference.
+        const ast::Context* const platform = i == begin.used ? ast::platform_of(begin.end, name.parts[i]) : nullptr;
+        begin.parts.push_back(platform != nullptr ? platform->name : name.parts[i]);
+    }
+    return joined(begin.parts);
+}
+
+/// A name that is neither used in the model nor a keyword of PRISM.
+std::string Translator::free_name(const std::string& wanted) const {
+    std::string name = wanted;
+    while (prism::is_reserved(name) || elements_.taken(name)) name += "_";
+    return name;
+}
+
+ExprPtr Translator::name(const ast::Expr& expr) {
+    const ast::Declaration* const target = expr.target;
+    if (target == nullptr) {
+        const std::string& label = expr.name.parts.front();
+        if (expr.name.parts.size() == 1 && (label == "deadlock" || label == "init"))
+            return node(expr, Op::label, {}, label);
+        refuse(fmt::format("`{}`", expr.name.text()));
+    }
+    if (target->kind == ast::DeclKind::enum_literal) {
+        // In every encoding, literals are numbered in the order of their declaration.
+        const auto* type = dynamic_cast<const ast::TypeDeclaration*>(target->parent);
+        for (std::size_t i = 0; type != nullptr && i < type->literals.size(); ++i)
+            if (type->literals[i].get() == target) return node(expr, Op::integer, {}, fmt::format("{}", i));
+        refuse(fmt::format("the literal `{}`", expr.name.text()));
+    }
+    if (definitions_.defines(target)) return constant(expr);
+    const std::string path = full_path(expr.name);
+    return target->kind == ast::DeclKind::constant ? elements_.constant(path) : elements_.variable(path);
+}
+
+/// `const t : T` of an assertion file: an open constant.
+ExprPtr Translator::constant(const ast::Expr& expr) {
+    const auto* declared = static_cast<const ast::Variable*>(expr.target);
+    const auto [known, added] = known_.try_emplace(declared);
+    if (added) known->second = free_name(declared->name);
+    prism::Constant made{prism::Type::integer, {known->second, expr.span}, nullptr};
+    const ast::TypeForm form = declared->type ? declared->type->form : ast::TypeForm::any;
+    if (form == ast::TypeForm::boolean)
+        made.type = prism::Type::boolean;
+    else if (form == ast::TypeForm::real)
+        made.type = prism::Type::real;
+    else if (form != ast::TypeForm::nat && form != ast::TypeForm::integer)
+        refuse(fmt::format("the constant `{}` of type {}", declared->name, ast::to_string(declared->type)));
+    const auto same = [&](const prism::Constant& each) { return each.name.text == made.name.text; };
+    auto& model = question_.model_constants;
+    auto& own = question_.constants;
+    if (std::ranges::none_of(model, same)) {
+        if (in_model_) std::erase_if(own, same);
+        auto& list = in_model_ ? model : own;
+        if (std::ranges::none_of(list, same)) list.push_back(made);
+    }
+    return node(expr, Op::name, {}, made.name.text);
+}
+
+ExprPtr Translator::defined(const ast::Expr& expr, ProbabilisticKind kind) {
+    const ProbabilisticDefinition* const found = definitions_.find(kind, expr.name.parts.back());
+    if (found == nullptr || !found->value) refuse(fmt::format("`{}`", ast::to_text(expr)));
+    const Deeper deeper(depth_);
+    return expression(*found->value);
+}
+
+ExprPtr Translator::marked(const ast::Expr& expr) {
+    if (expr.text == "#") return defined(expr, ProbabilisticKind::label);
+    if (expr.text == "$") return defined(expr, ProbabilisticKind::formula);
+    if (expr.text == "@") return node(expr, Op::name, {}, expr.name.parts.back());
+    if (expr.text == "$$") {
+        const auto found = bound_.find(expr.target);
+        if (found != bound_.end()) return found->second;
+    }
+    refuse(fmt::format("`{}`", ast::to_text(expr)));
+}
+
+ExprPtr Translator::call(const ast::Expr& expr) {
+    const bool function = expr.callee && expr.callee->kind == ExprKind::marked && expr.callee->text == "&";
+    const ast::ProbabilisticFunction* const found =
+        function ? definitions_.function(expr.callee->name.parts.back()) : nullptr;
+    if (found == nullptr) refuse(fmt::format("`{}`", ast::to_text(expr)));
+    return apply(*found, operands(expr));
+}
+
+/// The path of a state from the top of its machine.
+ExprPtr Translator::in_state(const ast::Expr& expr) {
+    const auto* state = dynamic_cast<const ast::State*>(expr.args.front()->target);
+    const Beginning machine = beginning(all_, file_, expr.name);
+    if (state == nullptr || machine.used == 0) refuse(fmt::format("`{}`", ast::to_text(expr)));
+    std::string path = state->name;
+    for (const auto* above = dynamic_cast<const ast::State*>(state->parent); above != nullptr;
+         above = dynamic_cast<const ast::State*>(above->parent))
+        path = above->name + "::" + path;
+    return elements_.in_state(joined(machine.parts), path);
+}
+
+std::string Translator::action(const ast::ExprPtr& event) {
+    if (!event) return "";
+    if (event->kind != ExprKind::event || event->text.ends_with(".val"))
+        refuse(fmt::format("the event `{}` without `.in` or `.out`", ast::to_text(*event)));
+    return elements_.action(full_path(event->name), direction(*event));
+}
+
+// ---------------------------------------------------------------- questions
+
+/// `<=n`, `[a, b]`
+std::shared_ptr<const prism::StepBound> Translator::steps(const ast::Expr& path) {
+    const ast::ExprPtr& bound = path.args.front();
+    if (!bound) return nullptr;
+    auto result = std::make_shared<prism::StepBound>();
+    if (bound->kind == ExprKind::range) {
+        result->low = expression(*bound->args[0]);
+        result->high = expression(*bound->args[1]);
+        return result;
+    }
+    const Op relation = relation_of(path.text);
+    const bool upper = relation == Op::less || relation == Op::less_equal;
+    (upper ? result->high : result->low) = expression(*bound);
+    (upper ? result->high_strict : result->low_strict) = relation == Op::less || relation == Op::greater;
+    return result;
+}
+
+ExprPtr Translator::path(const ast::Expr& expr) {
+    std::vector<ExprPtr> parts;
+    for (std::size_t i = 1; i < expr.args.size(); ++i) parts.push_back(expression(*expr.args[i]));
+    prism::Expr made;
+    made.span = expr.span;
+    switch (*expr.path) {
+        case PathOp::eventually:
+        case PathOp::reachable:
+            made.op = Op::eventually;
+            break;
+        case PathOp::globally:
+            made.op = Op::globally;
+            break;
+        case PathOp::next:
+            made.op = Op::next;
+            break;
+        case PathOp::until:
+            made.op = Op::until;
+            break;
+        case PathOp::cumulative:
+            made.op = Op::cumulative;
+            break;
+        case PathOp::total:
+            made.op = Op::total;
+            break;
+        case PathOp::linear_time:
+            return parts.front();
+        case PathOp::weak_until:
+        case PathOp::release:
+            refuse(fmt::format("`{}` with one formula", ast::to_text(*expr.path)));
+    }
+    made.parts = std::move(parts);
+    made.steps = steps(expr);
+    return prism::make_expr(std::move(made));
+}
+
+ExprPtr Translator::quantitative(const ast::Expr& expr) {
+    const bool reward = expr.kind == ExprKind::reward;
+    auto query = std::make_shared<prism::Query>();
+    if (expr.args[1]) {
+        query->relation = relation_of(expr.text);
+        query->bound = expression(*expr.args[1]);
+    } else if (expr.text != "=?") {
+        query->optimum = expr.text == "min=?" ? prism::Optimum::minimum : prism::Optimum::maximum;
+    }
+    if (reward) {
+        const std::string wanted = expr.name.empty() ? "" : expr.name.parts.back();
+        const ProbabilisticDefinition* const found = definitions_.find(ProbabilisticKind::rewards, wanted);
+        if (found == nullptr) refuse(fmt::format("`{}`: there is no such reward", ast::to_text(expr)));
+        rewards(*found);
+        query->reward = {found->name, expr.span};
+    }
+    prism::Expr made;
+    made.op = reward ? Op::reward : Op::probability;
+    made.span = expr.span;
+    made.parts = {expression(*expr.args[0])};
+    made.query = std::move(query);
+    ExprPtr result = prism::make_expr(std::move(made));
+    if (expr.args[2]) {
+        simulate(*expr.args[2]);
+        simulated_ = result;
+    }
+    return result;
+}
+
+/// A number in `using`, as a constant with that value. Its name cannot clash with PRISM's names.
+std::string Translator::number(const std::string& what, const ast::Expr& expr) {
+    std::string name = fmt::format("`{} {}`", what, ast::to_text(expr));
+    question_.constants.push_back({prism::Type::real, {name, expr.span}, expression(expr)});
+    return name;
+}
+
+/// PRISM's methods, with RoboTool's parameter names: `-simwidth` is `w` or `epsilon`, `-simconf` is `alpha` or `delta`,
+/// `-simsamples` is `n`, `-simpathlen` is `pathlen`. For SPRT, `delta` is half of the indifference region.
+void Translator::simulate(const ast::Expr& simulation) {
+    using Names = std::map<std::string, std::string>;
+    static const std::map<std::string, Names> parameters{
+        {"CI", {{"w", "width"}, {"alpha", "confidence"}, {"n", "samples"}, {"pathlen", "path"}}},
+        {"ACI", {{"w", "width"}, {"alpha", "confidence"}, {"n", "samples"}, {"pathlen", "path"}}},
+        {"APMC", {{"epsilon", "width"}, {"delta", "confidence"}, {"n", "samples"}, {"pathlen", "path"}}},
+        {"SPRT", {{"delta", "width"}, {"alpha", "confidence"}, {"pathlen", "path"}}}};
+    const Names& names = parameters.at(simulation.text);
+    Sampling sampling{simulation.text, {}};
+    std::ranges::transform(sampling.method, sampling.method.begin(),
+                           [](char letter) { return static_cast<char>(letter - 'A' + 'a'); });
+    std::set<std::string> given;
+    for (const ast::Binding& each : simulation.bindings) {
+        const std::string& name = each.variable->name;
+        const auto known = names.find(name);
+        if (known == names.end()) {
+            std::string all;
+            for (const auto& [one, other] : names) all += (all.empty() ? "" : ", ") + one;
+            throw Wrong(fmt::format("`sim with {}` has no parameter `{}`: {}", simulation.text, name, all));
+        }
+        if (!given.insert(name).second)
+            throw Wrong(fmt::format("`sim with {}`: `{}` is given twice", simulation.text, name));
+        sampling.parameters.emplace_back(known->second, number(name + " =", *each.value));
+    }
+    question_.simulation = std::move(sampling);
+}
+
+// ---------------------------------------------------------------- definitions
+
+void Translator::settings(const ProbabilisticDefinition& definition) {
+    for (const ast::ConstantValues& each : definition.constants) {
+        Setting setting;
+        setting.name = each.constant->name.text();
+        if (definitions_.defines(each.constant->target)) {
+            const auto [known, added] = known_.try_emplace(each.constant->target);
+            if (added) known->second = free_name(each.constant->target->name);
+            setting.constant = known->second;
+        } else {
+            setting.path = full_path(each.constant->name);
+        }
+        setting.values =
+            each.from_set ? values(*each.value) : std::vector<std::string>{prism::print(expression(*each.value))};
+        question_.settings.push_back(std::move(setting));
+    }
+}
+
+/// `{1, 2, 5}`, `{1 to 9 by step 2}`
+std::vector<std::string> Translator::values(const ast::Expr& value) {
+    std::vector<std::string> result;
+    if (value.kind == ExprKind::set_range) {
+        const std::string low = prism::print(expression(*value.args[0]));
+        const std::string high = prism::print(expression(*value.args[1]));
+        const bool step = value.args.size() > 2 && value.args[2];
+        return {fmt::format("{}:{}:{}", low, step ? prism::print(expression(*value.args[2])) : "1", high)};
+    }
+    if (value.kind != ExprKind::set || value.args.empty())
+        refuse(fmt::format("`{}` as a set of values", ast::to_text(value)));
+    for (const auto& each : value.args) result.push_back(prism::print(expression(*each)));
+    return result;
+}
+
+void Translator::rewards(const ProbabilisticDefinition& definition) {
+    const auto same = [&](const auto& each) { return each.name.text == definition.name; };
+    if (std::ranges::any_of(question_.rewards, same)) return;
+    prism::RewardStructure made{{definition.name, definition.name_span}, {}};
+    const bool before = std::exchange(in_model_, true);
+    for (const ast::RewardItem& each : definition.rewards) {
+        prism::RewardItem item;
+        item.transition = each.of_step;
+        item.span = each.guard->span;
+        item.action = {each.of_step ? action(each.event) : "", item.span};
+        item.guard = expression(*each.guard);
+        item.value = expression(*each.value);
+        made.items.push_back(each.of_step ? std::move(item) : elements_.of_state(std::move(item)));
+    }
+    in_model_ = before;
+    question_.rewards.push_back(std::move(made));
+}
+
+void Translator::modules(const ProbabilisticDefinition& definition) {
+    const bool before = std::exchange(in_model_, true);
+    for (const ast::ProbabilisticModule& each : definition.modules) question_.modules.push_back(module(each));
+    in_model_ = before;
+}
+
+prism::Module Translator::module(const ast::ProbabilisticModule& source) {
+    prism::Module made;
+    made.name = {source.name, source.name_span};
+    for (const ast::ModuleVariable& each : source.variables) {
+        prism::Variable variable{{each.variable->name, each.variable->name_span}, prism::Type::boolean, {}, {}, {}};
+        if (each.low) {
+            variable.type = prism::Type::integer;
+            variable.low = expression(*each.low);
+            variable.high = expression(*each.high);
+        }
+        if (each.variable->initial) variable.initial = expression(*each.variable->initial);
+        made.variables.push_back(std::move(variable));
+    }
+    for (const ast::Command& each : source.commands) made.commands.push_back(command(each));
+    return made;
+}
+
+/// `(p : @x = e)` begins a branch. Updates without a probability belong to the branch before them.
+prism::Command Translator::command(const ast::Command& source) {
+    prism::Command made;
+    made.span = source.guard->span;
+    made.action = {action(source.event), made.span};
+    made.guard = expression(*source.guard);
+    for (const ast::Update& each : source.updates) {
+        const bool begins = made.branches.empty() || each.probability;
+        if (begins && !made.branches.empty() && !made.branches.front().probability)
+            refuse("a probability behind an update without one");
+        if (begins)
+            made.branches.push_back({each.probability ? expression(*each.probability) : nullptr, {}, made.span});
+        made.branches.back().assignments.push_back(assignment(each));
+    }
+    if (made.branches.empty()) made.branches.push_back({nullptr, {}, made.span});
+    return made;
+}
+
+prism::Assignment Translator::assignment(const ast::Update& update) {
+    return {{update.variable->name.parts.back(), update.variable->span}, expression(*update.value)};
+}
+
+/// Records the components with which paths begin.
+class Recorder final : public Elements {
+public:
+    ExprPtr variable(const std::string& path) override { return number(path); }
+    ExprPtr constant(const std::string& path) override { return number(path); }
+    ExprPtr in_state(const std::string& machine, const std::string& /*state*/) override { return number(machine); }
+    std::string action(const std::string& path, const std::string& /*direction*/) override {
+        note(path);
+        return "";
+    }
+    ExprPtr value(const std::string& path, const std::string& /*direction*/) override { return number(path); }
+    [[nodiscard]] bool taken(const std::string& /*name*/) const override { return false; }
+
+    void note(const std::string& path) {
+        const std::string first = path.substr(0, path.find("::"));
+        if (std::ranges::find(found, first) == found.end()) found.push_back(first);
+    }
+    std::vector<std::string> found;
+
+private:
+    ExprPtr number(const std::string& path) {
+        note(path);
+        return prism::make_expr(Op::integer, {}, {}, "0");
+    }
+};
+
+/// Contains no elements.
+class NoElements final : public Elements {
+public:
+    ExprPtr variable(const std::string& path) override { absent(path); }
+    ExprPtr constant(const std::string& path) override { absent(path); }
+    ExprPtr in_state(const std::string& machine, const std::string& /*state*/) override { absent(machine); }
+    std::string action(const std::string& path, const std::string& /*direction*/) override { absent(path); }
+    ExprPtr value(const std::string& path, const std::string& /*direction*/) override { absent(path); }
+    [[nodiscard]] bool taken(const std::string& /*name*/) const override { return false; }
+
+private:
+    [[noreturn]] static void absent(const std::string& path) {
+        refuse(fmt::format("`{}` in a function that the model calls", path));
+    }
+};
+
+}  // namespace
+
+Beginning beginning(const Assertions& all, const ast::File& file, const ast::QualifiedName& name) {
+    const ast::Way way = ast::component_way(all.model, all.names, file, name);
+    Beginning result{{}, way.used, way.end()};
+    for (const ast::Declaration* step : way.path.steps) result.parts.push_back(step->name);
+    return result;
+}
+
+namespace {
+
+bool has_simulation(const ast::Expr& expr) {
+    return expr.kind == ExprKind::simulation ||
+           std::ranges::any_of(expr.args, [](const auto& part) { return part && has_simulation(*part); });
+}
+
+}  // namespace
+
+bool simulated(const ast::ProbabilisticAssertion& assertion) {
+    return !assertion.property || has_simulation(*assertion.property);
+}
+
+std::vector<std::string> subjects(const Assertions& all, const ast::File& file,
+                                  const ast::ProbabilisticAssertion& assertion) {
+    const Definitions definitions(all, file, assertion);
+    Recorder recorder;
+    const Question question = Translator(all, file, definitions, recorder)(assertion);
+    for (const Setting& each : question.settings)
+        if (!each.path.empty()) recorder.note(each.path);
+    return recorder.found;
+}
+
+Question translate(const Assertions& all, const ast::File& file, const ast::ProbabilisticAssertion& assertion,
+                   Elements& elements) {
+    const Definitions definitions(all, file, assertion);
+    return Translator(all, file, definitions, elements)(assertion);
+}
+
+std::map<std::string, Function> functions(const Assertions& all, const ast::File& file,
+                                          const ast::ProbabilisticAssertion& assertion) {
+    std::map<std::string, Function> result;
+    const auto definitions = std::make_shared<const Definitions>(all, file, assertion);
+    for (const ast::ProbabilisticClause& clause : assertion.clauses) {
+        const ProbabilisticDefinition* const definition = definitions->of(clause);
+        if (definition == nullptr || definition->kind != ProbabilisticKind::definitions) continue;
+        for (const ast::ProbabilisticFunction& function : definition->functions)
+            if (function.result)
+                result[function.name] = [&all, &file, definitions, &function](const std::vector<ExprPtr>& arguments) {
+                    NoElements nothing;
+                    return Translator(all, file, *definitions, nothing).apply(function, arguments);
+                };
+    }
+    return result;
+}
+
+}  // namespace robochart::probability

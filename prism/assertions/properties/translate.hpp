@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Translates probabilistic assertions (RoboTool's language, docs/assertions.md) to PRISM's language. The translation
+// follows RoboTool's: `Finally` becomes F, `a::b::x` a variable, `M is in S` a comparison. Labels, formulas and
+// functions are expanded where they are used.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "frontend/names/names.hpp"
+#include "prism/assertions/properties/elements.hpp"
+#include "prism/assertions/properties/question.hpp"
+
+namespace robochart::probability {
+
+/// The data that all assertions of a project share.
+struct Assertions {
+    explicit Assertions(const frontend::Model& of) : model(of), names(of) {}
+    const frontend::Model& model;
+    frontend::Names names;
+};
+
+/// The path of the beginning of a name, through references, and the number of name parts that it uses.
+struct Beginning {
+    std::vector<std::string> parts;
+    std::size_t used = 0;
+    const frontend::Declaration* end = nullptr;  ///< the element at the end of the path
+};
+[[nodiscard]] Beginning beginning(const Assertions&, const frontend::File&, const frontend::QualifiedName&);
+
+/// The components that an assertion refers to: the outermost parts of its paths, without duplicates.
+[[nodiscard]] std::vector<std::string> subjects(const Assertions&, const frontend::File&,
+                                                const frontend::ProbabilisticAssertion&);
+
+/// True if it is answered by random paths: `using sim with`, `prob generate path`.
+[[nodiscard]] bool simulated(const frontend::ProbabilisticAssertion&);
+
+/// The translated property. Throws NotExpressed, and Wrong if a simulation has wrong parameters.
+[[nodiscard]] Question translate(const Assertions&, const frontend::File&, const frontend::ProbabilisticAssertion&,
+                                 Elements&);
+
+/// A function that assertions define, applied to arguments. It must not use elements of the model. Throws NotExpressed.
+using Function = std::function<prism::ExprPtr(const std::vector<prism::ExprPtr>&)>;
+/// The functions in the `with` clauses of an assertion, by name. They refer to the arguments of this function.
+[[nodiscard]] std::map<std::string, Function> functions(const Assertions&, const frontend::File&,
+                                                        const frontend::ProbabilisticAssertion&);
+
+}  // namespace robochart::probability

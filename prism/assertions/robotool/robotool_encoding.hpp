@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// RoboTool's encoding of a module (prism_emit) as the model for properties. The additions of a property (rewards,
+// modules, functions in place of calls) are made in a copy of the model, as RoboTool does for each assertion.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prism/emit/emit.hpp"
+#include "prism/assertions/experiments/encoding.hpp"
+#include "prism/assertions/properties/translate.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::probability {
+
+struct RoboToolOptions {
+    prism_emit::Preferences preferences;
+    /// Values for constants that the model leaves open: the name or the end of its path, and a literal.
+    std::map<std::string, std::string> constants;
+    std::uint64_t max_states = 500'000'000;
+    bool exact = false;
+    diagnostics::Budget* budget = nullptr;
+};
+
+class RoboToolEncoding final : public Encoding {
+public:
+    /// The system and the module must outlive the object. `functions`: those of assertions, for calls in the model.
+    /// Throws NotExpressed if the encoding does not support the module.
+    RoboToolEncoding(const ir::System& system, const ir::Module& module, RoboToolOptions options,
+                     const std::map<std::string, Function>& functions);
+    ~RoboToolEncoding() override;
+
+    [[nodiscard]] Elements& elements() override;
+    [[nodiscard]] prism::Constant constant(const std::string& path) override;
+    [[nodiscard]] const prism::StateSpace& space(const Question&, const prism::Values&) override;
+    [[nodiscard]] Unexplored unexplored(const Question&, const prism::Values&) override;
+    [[nodiscard]] bool one_value() const override { return false; }
+    /// The model with the additions of the question.
+    [[nodiscard]] prism::ModelFile model(const Question&);
+
+private:
+    class Names;
+    struct Prepared;
+
+    Prepared& prepared(const Question&, const prism::Values&);
+    /// Ranges that contain the values of the constants that a question sets, and one more value: counters reach a limit
+    /// and must be able to exceed it.
+    [[nodiscard]] prism_emit::Preferences ranges_for(const Question&);
+    [[nodiscard]] prism::Values all_values(const prism::ModelFile&, const prism::Values&) const;
+
+    const ir::System& system_;
+    const ir::Module& module_;
+    RoboToolOptions options_;
+    std::map<std::string, Function> functions_;
+    prism_emit::Emission emission_;
+    prism_emit::Preferences emitted_for_;  ///< the ranges of `emission_`
+    std::unique_ptr<Names> names_;
+    Wording wording_;
+    std::unique_ptr<Prepared> prepared_;  ///< the latest one; questions about one model come one after another
+};
+
+}  // namespace robochart::probability

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The product of a model with an automaton that reads its states, and the states in which a scheduler can satisfy a
+// condition.
+#pragma once
+
+#include <vector>
+
+#include "prism/markov/model/model.hpp"
+#include "prism/automata/automaton.hpp"
+#include "base/diagnostics/budget.hpp"
+
+namespace robochart::prism::automata {
+
+struct Product {
+    markov::Model model;
+    std::vector<Automaton::State> automaton;  ///< by state, after the automaton has read it
+    std::vector<markov::State> begin;         ///< by state of the model: the initial state of paths from it
+};
+
+/// Contains the paths from every state of the model. `letters` has one element for each state. Throws NotDecided and
+/// LimitReached.
+[[nodiscard]] Product product(const markov::Model& model, const std::vector<Letter>& letters, Automaton& automaton,
+                              diagnostics::Budget* budget);
+
+/// The states in which a part that is not `always` holds for all continuations.
+[[nodiscard]] markov::StateSet done(const Product& product, const Automaton& automaton, std::size_t part);
+
+/// The states of end components in which a scheduler that stays there satisfies the condition.
+[[nodiscard]] markov::StateSet winning(const Product& product, const Automaton& automaton, const Condition& condition,
+                                       diagnostics::Budget* budget);
+
+}  // namespace robochart::prism::automata

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Applies the static rules: converts trees to checked models and properties.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "prism/checks/checked.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+
+namespace robochart::prism {
+
+/// No value, with findings, if a rule is violated.
+[[nodiscard]] std::optional<CheckedModel> check_model(const ModelFile& file, diagnostics::Diagnostics& diagnostics);
+
+/// Properties over a model. The result contains the properties without errors, even if there are findings.
+[[nodiscard]] CheckedProperties check_properties(const CheckedModel& model, const PropertyFile& file,
+                                                 diagnostics::Diagnostics& diagnostics);
+
+}  // namespace robochart::prism

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: Apache-2.0
+// Models. See check.hpp.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "prism/checks/check.hpp"
+#include "prism/checks/compose.hpp"
+#include "prism/checks/definitions.hpp"
+#include "prism/checks/rules.hpp"
+#include "prism/checks/scope.hpp"
+#include "prism/checks/types.hpp"
+#include "base/diagnostics/spelling.hpp"
+
+namespace robochart::prism {
+namespace {
+
+class ModelChecker {
+public:
+    ModelChecker(const ModelFile& file, diagnostics::Diagnostics& diagnostics)
+        : file_(file), diagnostics_(diagnostics) {}
+
+    std::optional<CheckedModel> operator()() {
+        const std::size_t errors = diagnostics_.errors();
+        model_.kind = file_.kind;
+        model_.formulas = expand_formulas(file_.formulas, formulas_, diagnostics_);
+        expand_declarations();
+        for (const Module& each : file_.modules) add_module(each);
+        collect_variables();
+        declare();
+        if (diagnostics_.errors() == errors) check();
+        if (diagnostics_.errors() == errors)
+            model_.synchronisations = compose(model_.modules, file_.system, diagnostics_);
+        if (diagnostics_.errors() != errors) return std::nullopt;
+        return std::move(model_);
+    }
+
+private:
+    ExprPtr expanded(const ExprPtr& expr) {
+        ExprPtr result = formulas_(expr);
+        if (result && !is_manageable(result, expr->span, diagnostics_)) return expr;
+        return result;
+    }
+
+    void expand_variable(Variable& variable) {
+        for (ExprPtr* expr : {&variable.low, &variable.high, &variable.initial}) *expr = expanded(*expr);
+    }
+
+    void expand_declarations() {
+        model_.constants = file_.constants;
+        for (Constant& each : model_.constants) each.value = expanded(each.value);
+        model_.labels = file_.labels;
+        for (Definition& each : model_.labels) each.body = expanded(each.body);
+        model_.rewards = file_.rewards;
+        for (RewardStructure& each : model_.rewards)
+            for (RewardItem& item : each.items) {
+                item.guard = expanded(item.guard);
+                item.value = expanded(item.value);
+            }
+        model_.variables = file_.globals;
+        for (Variable& each : model_.variables) expand_variable(each);
+        model_.initial = expanded(file_.initial);
+    }
+
+    void add_module(const Module& written) {
+        if (written.base.text.empty()) {
+            Module module = written;
+            for (Variable& each : module.variables) expand_variable(each);
+            for (Command& each : module.commands) expand_command(each);
+            model_.modules.push_back(std::move(module));
+            return;
+        }
+        // The base may be declared before or after; it may itself be renamed if it is declared before.
+        const auto named = [&](const Module& each) { return each.name.text == written.base.text; };
+        const auto above = std::ranges::find_if(model_.modules, named);
+        if (above != model_.modules.end()) return add_renamed(written, *above);
+        const auto below = std::ranges::find_if(file_.modules, named);
+        if (below == file_.modules.end()) {
+            diagnostics_.report(rules::not_declared, written.base.span, {"module", written.base.text});
+        } else if (!below->base.text.empty()) {
+            diagnostics_.report(rules::bad_renaming, written.base.span,
+                                {written.name.text, fmt::format("its base '{}' is a renamed module that does not "
+                                                                "stand above it",
+                                                                written.base.text)});
+        } else {
+            Module base = *below;
+            for (Variable& each : base.variables) expand_variable(each);
+            for (Command& each : base.commands) expand_command(each);
+            add_renamed(written, base);
+        }
+    }
+
+    void expand_command(Command& command) {
+        command.guard = expanded(command.guard);
+        for (Branch& branch : command.branches) {
+            branch.probability = expanded(branch.probability);
+            for (Assignment& each : branch.assignments) each.value = expanded(each.value);
+        }
+    }
+
+    /// Replaces names after the expansion of formulas; functions and actions are renamed too.
+    void add_renamed(const Module& written, Module base) {
+        std::map<std::string, std::string, std::less<>> names;
+        Rewriter rewriter;
+        for (const Renaming& each : written.renamings) {
+            if (!names.emplace(each.from.text, each.to.text).second)
+                diagnostics_.report(rules::bad_renaming, each.from.span,
+                                    {written.name.text, fmt::format("'{}' is renamed twice", each.from.text)});
+            rewriter.expressions[each.from.text] = make_expr(Op::name, each.to.span, {}, each.to.text);
+            rewriter.functions[each.from.text] = each.to.text;
+        }
+        for (const Variable& each : base.variables)
+            if (!names.contains(each.name.text))
+                diagnostics_.report(
+                    rules::bad_renaming, written.name.span,
+                    {written.name.text, fmt::format("the variable '{}' of its base '{}' has no new name",
+                                                    each.name.text, base.name.text)});
+        const auto rename = [&](Name& name) {
+            if (const auto found = names.find(name.text); found != names.end()) name.text = found->second;
+        };
+        std::erase_if(base.variables, [&](const Variable& each) { return !names.contains(each.name.text); });
+        base.name = written.name;
+        base.base = written.base;
+        for (Variable& each : base.variables) {
+            rename(each.name);
+            for (ExprPtr* expr : {&each.low, &each.high, &each.initial}) *expr = rewriter(*expr);
+        }
+        for (Command& command : base.commands) {
+            rename(command.action);
+            command.guard = rewriter(command.guard);
+            for (Branch& branch : command.branches) {
+                branch.probability = rewriter(branch.probability);
+                for (Assignment& each : branch.assignments) {
+                    rename(each.variable);
+                    each.value = rewriter(each.value);
+                }
+            }
+        }
+        model_.modules.push_back(std::move(base));
+    }
+
+    void collect_variables() {
+        for (const Variable& each : model_.variables) writer_[each.name.text] = {};
+        for (const Module& module : model_.modules)
+            for (const Variable& each : module.variables) {
+                model_.variables.push_back(each);
+                writer_[each.name.text] = module.name.text;
+            }
+        const Span place = file_.modules.empty() ? file_.end : file_.modules.front().name.span;
+        if (model_.variables.empty()) diagnostics_.report(rules::no_module, place);
+    }
+
+    void declare() {
+        declare_names(model_, scope_, diagnostics_);
+        std::set<std::string> modules;
+        for (const Module& each : model_.modules)
+            if (!modules.insert(each.name.text).second)
+                diagnostics_.report(rules::declared_twice, each.name.span, {each.name.text});
+        std::set<std::string> labels;
+        for (const Definition& each : model_.labels) {
+            if (each.name.text == "deadlock" || each.name.text == "init")
+                diagnostics_.report(rules::own_label, each.name.span, {each.name.text});
+            if (!labels.insert(each.name.text).second)
+                diagnostics_.report(rules::declared_twice, each.name.span, {each.name.text});
+        }
+        std::set<std::string> rewards;
+        for (const RewardStructure& each : model_.rewards)
+            if (!each.name.text.empty() && !rewards.insert(each.name.text).second)
+                diagnostics_.report(rules::declared_twice, each.name.span, {each.name.text});
+        std::vector<Defined> constants;
+        for (const Constant& each : model_.constants) constants.push_back({each.name, each.value});
+        (void)definition_order(constants, diagnostics_);
+    }
+
+    void check() {
+        TypeChecker types(scope_, diagnostics_);
+        for (const Definition& each : model_.formulas) (void)types.type(each.body);
+        for (const Constant& each : model_.constants) types.expect(each.value, each.type, true, "a constant");
+        for (const Definition& each : model_.labels) types.expect(each.body, Type::boolean);
+        for (const Variable& each : model_.variables) check_variable(each, types);
+        if (model_.initial) types.expect(model_.initial, Type::boolean);
+        for (const RewardStructure& each : model_.rewards)
+            for (const RewardItem& item : each.items) {
+                types.expect(item.guard, Type::boolean);
+                types.expect(item.value, Type::real);
+            }
+        check_actions();
+        // errors in a base are reported only there
+        const std::size_t errors = diagnostics_.errors();
+        for (const bool renamed : {false, true})
+            for (const Module& module : model_.modules)
+                for (const Command& command : module.commands)
+                    if (renamed != module.base.text.empty() && (!renamed || diagnostics_.errors() == errors))
+                        check_command(module, command, types);
+    }
+
+    /// Actions are those of commands, and the new names in the composition. A model without any command gets its
+    /// transitions from elsewhere (GivenSpace).
+    void check_actions() {
+        std::set<std::string> actions;
+        bool commands = false;
+        for (const Module& module : model_.modules)
+            for (const Command& command : module.commands) {
+                commands = true;
+                if (!command.action.text.empty()) actions.insert(command.action.text);
+            }
+        if (!commands) return;
+        if (file_.system) add_new_names(*file_.system, actions);
+        const std::vector<std::string> known(actions.begin(), actions.end());
+        if (file_.system) check_actions(*file_.system, known);
+        for (const RewardStructure& each : model_.rewards)
+            for (const RewardItem& item : each.items) check_action(item.action, known);
+    }
+
+    static void add_new_names(const Composition& system, std::set<std::string>& actions) {
+        for (const Renaming& each : system.renamings) actions.insert(each.to.text);
+        for (const CompositionPtr& part : system.parts) add_new_names(*part, actions);
+    }
+
+    void check_actions(const Composition& system, const std::vector<std::string>& known) {
+        for (const Name& action : system.actions) check_action(action, known);
+        for (const Renaming& each : system.renamings) check_action(each.from, known);
+        for (const CompositionPtr& part : system.parts) check_actions(*part, known);
+    }
+
+    void check_action(const Name& action, const std::vector<std::string>& known) {
+        if (action.text.empty() || std::ranges::binary_search(known, action.text)) return;
+        auto& finding = diagnostics_.report(rules::not_declared, action.span, {"action", action.text});
+        if (const std::string meant = diagnostics::nearest(action.text, known); !meant.empty())
+            finding.notes.push_back({{}, fmt::format("did you mean '{}'?", meant)});
+        else if (known.empty())
+            finding.notes.push_back({{}, "no command has an action"});
+        else
+            finding.notes.push_back(
+                {{},
+                 fmt::format("commands have the action{} {}", known.size() == 1 ? "" : "s", fmt::join(known, ", "))});
+    }
+
+    void check_variable(const Variable& variable, TypeChecker& types) {
+        types.expect(variable.low, Type::integer, true, "the bound of a range");
+        types.expect(variable.high, Type::integer, true, "the bound of a range");
+        types.expect(variable.initial, variable.type, true, "an initial value");
+        if (variable.initial && model_.initial)
+            diagnostics_.report(rules::two_initials, variable.initial->span, {variable.name.text});
+    }
+
+    void check_command(const Module& module, const Command& command, TypeChecker& types) {
+        types.expect(command.guard, Type::boolean);
+        for (const Branch& branch : command.branches) {
+            if (branch.probability) types.expect(branch.probability, Type::real);
+            std::set<std::string_view> written;
+            for (const Assignment& each : branch.assignments) {
+                if (!written.insert(each.variable.text).second)
+                    diagnostics_.report(rules::assigned_twice, each.variable.span, {each.variable.text});
+                check_assignment(module, command, each, types);
+            }
+        }
+    }
+
+    void check_assignment(const Module& module, const Command& command, const Assignment& assignment,
+                          TypeChecker& types) {
+        const Name& name = assignment.variable;
+        const auto writer = writer_.find(name.text);
+        if (writer == writer_.end()) {
+            diagnostics_.report(rules::not_declared, name.span, {"variable", name.text});
+            return;
+        }
+        if (writer->second && *writer->second != module.name.text)
+            diagnostics_.report(rules::foreign_variable, name.span, {module.name.text, name.text, *writer->second});
+        if (!writer->second && !command.action.text.empty())
+            diagnostics_.report(rules::global_written, name.span, {name.text});
+        types.expect(assignment.value, scope_.symbols.find(name.text)->second.type);
+    }
+
+    const ModelFile& file_;
+    diagnostics::Diagnostics& diagnostics_;
+    CheckedModel model_;
+    Rewriter formulas_;
+    Scope scope_;
+    /// by variable: the module that may write it; no value: it is global
+    std::map<std::string, std::optional<std::string>, std::less<>> writer_;
+};
+
+}  // namespace
+
+std::optional<CheckedModel> check_model(const ModelFile& file, diagnostics::Diagnostics& diagnostics) {
+    return ModelChecker(file, diagnostics)();
+}
+
+}  // namespace robochart::prism

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Properties. See check.hpp.
+#include <set>
+
+#include "prism/checks/check.hpp"
+#include "prism/checks/definitions.hpp"
+#include "prism/checks/rules.hpp"
+#include "prism/checks/scope.hpp"
+
+namespace robochart::prism {
+namespace {
+
+/// The labels in an expression; they may be names of properties.
+void collect_labels(const ExprPtr& expr, std::set<std::string>& labels, std::set<const Expr*>& seen) {
+    if (!expr || !seen.insert(expr.get()).second) return;
+    if (expr->op == Op::label) labels.insert(expr->text);
+    for (const ExprPtr& part : expr->parts) collect_labels(part, labels, seen);
+}
+
+class PropertyChecker {
+public:
+    PropertyChecker(const CheckedModel& model, const PropertyFile& file, diagnostics::Diagnostics& diagnostics)
+        : model_(model), file_(file), diagnostics_(diagnostics) {}
+
+    CheckedProperties operator()() {
+        diagnostics::Diagnostics of_the_model;  // reported already
+        declare_names(model_, scope_, of_the_model);
+        for (const Definition& each : model_.formulas) formulas_.expressions.emplace(each.name.text, each.body);
+        scope_.labels = {"deadlock", "init"};
+        for (const Definition& each : model_.labels) scope_.labels.insert(each.name.text);
+        for (const RewardStructure& each : model_.rewards) scope_.rewards.push_back(each.name.text);
+        constants();
+        labels();
+        scope_.properties = true;
+        properties();
+        return std::move(result_);
+    }
+
+private:
+    ExprPtr expanded(const ExprPtr& expr) {
+        ExprPtr result = formulas_(expr);
+        if (result && !is_manageable(result, expr->span, diagnostics_)) return expr;
+        return result;
+    }
+
+    void constants() {
+        std::vector<Defined> defined;
+        for (const Constant& each : file_.constants) {
+            if (formulas_.expressions.contains(each.name.text))
+                diagnostics_.report(rules::declared_twice, each.name.span, {each.name.text});
+            declare_constant(each, scope_, diagnostics_);
+            Constant constant = each;
+            constant.value = expanded(each.value);
+            defined.push_back({constant.name, constant.value});
+            result_.constants.push_back(std::move(constant));
+        }
+        (void)definition_order(defined, diagnostics_);
+        TypeChecker types(scope_, diagnostics_);
+        for (const Constant& each : result_.constants) types.expect(each.value, each.type, true, "a constant");
+    }
+
+    void labels() {
+        TypeChecker types(scope_, diagnostics_);
+        for (const Definition& each : file_.labels) {
+            if (each.name.text == "deadlock" || each.name.text == "init")
+                diagnostics_.report(rules::own_label, each.name.span, {each.name.text});
+            else if (!scope_.labels.insert(each.name.text).second)
+                diagnostics_.report(rules::declared_twice, each.name.span, {each.name.text});
+            Definition label{each.name, expanded(each.body)};
+            types.expect(label.body, Type::boolean);
+            result_.labels.push_back(std::move(label));
+        }
+    }
+
+    /// Properties to which others refer come first.
+    void properties() {
+        std::vector<Defined> defined;
+        for (const Property& each : file_.properties) {
+            result_.properties.push_back({each.name, expanded(each.expression)});
+            if (!each.name.text.empty() &&
+                (scope_.labels.contains(each.name.text) || !names_.insert(each.name.text).second))
+                diagnostics_.report(rules::declared_twice, each.name.span, {each.name.text});
+            defined.push_back({each.name, references(result_.properties.back().expression)});
+        }
+        result_.types.assign(file_.properties.size(), Type::boolean);
+        for (const std::size_t i : definition_order(defined, diagnostics_)) {
+            TypeChecker types(scope_, diagnostics_);
+            const std::optional<Type> type = types.type(result_.properties[i].expression);
+            if (type) result_.types[i] = *type;
+            if (!result_.properties[i].name.text.empty()) scope_.named.emplace(result_.properties[i].name.text, type);
+        }
+    }
+
+    /// The labels in an expression as names, for sorting.
+    static ExprPtr references(const ExprPtr& expr) {
+        std::set<std::string> labels;
+        std::set<const Expr*> seen;
+        collect_labels(expr, labels, seen);
+        std::vector<ExprPtr> names;
+        for (const std::string& label : labels) names.push_back(make_expr(Op::name, expr->span, {}, label));
+        return make_expr(Op::call, expr->span, std::move(names));
+    }
+
+    const CheckedModel& model_;
+    const PropertyFile& file_;
+    diagnostics::Diagnostics& diagnostics_;
+    Scope scope_;
+    Rewriter formulas_;
+    std::set<std::string> names_;
+    CheckedProperties result_;
+};
+
+}  // namespace
+
+CheckedProperties check_properties(const CheckedModel& model, const PropertyFile& file,
+                                   diagnostics::Diagnostics& diagnostics) {
+    return PropertyChecker(model, file, diagnostics)();
+}
+
+}  // namespace robochart::prism

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Converts `system ... endsystem` to a list of synchronisations.
+#pragma once
+
+#include <vector>
+
+#include "prism/checks/checked.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+
+namespace robochart::prism {
+
+/// Without a composition, all modules synchronise on their common actions. Modules that are missing, unknown or
+/// duplicated are reported.
+[[nodiscard]] std::vector<Synchronisation> compose(const std::vector<Module>& modules, const CompositionPtr& system,
+                                                   diagnostics::Diagnostics& diagnostics);
+
+}  // namespace robochart::prism

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sorts formulas and constants that use each other: each comes after those that it uses.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "prism/checks/rewrite.hpp"
+#include "prism/syntax/syntax.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+
+namespace robochart::prism {
+
+/// A definition by its name; the body may be null.
+struct Defined {
+    Name name;
+    ExprPtr body;
+};
+
+/// The indices in sorted order. Definitions that depend on themselves are reported and left out.
+[[nodiscard]] std::vector<std::size_t> definition_order(const std::vector<Defined>& definitions,
+                                                        diagnostics::Diagnostics& diagnostics);
+
+/// Adds the expanded formulas to the rewriter's replacements; returns them in the order of the text. Reports
+/// definitions that depend on themselves or grow too large.
+[[nodiscard]] std::vector<Definition> expand_formulas(const std::vector<Definition>& formulas, Rewriter& rewriter,
+                                                      diagnostics::Diagnostics& diagnostics);
+
+/// Whether an expression is within the size limit; reports it otherwise.
+bool is_manageable(const ExprPtr& expr, Span place, diagnostics::Diagnostics& diagnostics);
+
+}  // namespace robochart::prism

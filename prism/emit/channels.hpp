@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Follows events of machines through the connections of controllers and modules to PRISM's labels and buffers (R2, R12,
+// R13).
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "prism/emit/context.hpp"
+
+namespace robochart::prism_emit {
+
+/// A machine in its context, by indices in Module::controllers and Controller::machines.
+struct Seat {
+    std::uint32_t controller = 0, machine = 0;
+    friend auto operator<=>(const Seat&, const Seat&) = default;
+};
+
+enum class Direction { out, in };  ///< as the machine sees it
+
+/// The connection of a machine's event to another machine or to the platform.
+struct Channel {
+    enum class Kind { platform, buffer, joint };
+    Kind kind = Kind::platform;
+    std::string name;                     ///< "odsTick_18"
+    std::optional<Carrier> carrier;       ///< of the value it carries
+    bool sent = false, received = false;  ///< by machines, in commands that were made
+
+    /// The labels of the two ends.
+    [[nodiscard]] std::string out_label() const;
+    [[nodiscard]] std::string in_label() const;
+    /// The variable with the value at an end, and the variable that is true between handshakes.
+    [[nodiscard]] std::string value_at(Direction) const;
+    [[nodiscard]] std::string ready_at(Direction) const;
+};
+
+class Channels {
+public:
+    explicit Channels(Context& context) : context_(context) {}
+
+    /// The channel of a machine's event in one direction. Null, with a finding, if it cannot be encoded.
+    [[nodiscard]] Channel* find(Seat seat, const ir::Event& event, Direction direction, diagnostics::Span span);
+
+    /// R12, R13: the modules of buffers and of the platform, for all channels that were used.
+    void emit_modules();
+
+private:
+    /// An event of a controller's component, of a controller, or of the platform.
+    struct End {
+        enum class Level { machine, controller, platform } level = Level::machine;
+        Seat seat;
+        std::string event;
+        friend auto operator<=>(const End&, const End&) = default;
+    };
+    struct Hop {
+        End to;
+        bool async = false;
+    };
+    struct Route {
+        End end;
+        bool async = false;
+    };
+
+    [[nodiscard]] const ir::Controller& controller(std::uint32_t index) const;
+    [[nodiscard]] std::vector<Hop> hops(const End& from, Direction direction, bool inside) const;
+    void add_hops(const std::vector<ir::Connection>& connections, const End& from, Direction direction,
+                  const std::function<End(const ir::ConnectionEnd&)>& place, std::vector<Hop>& result) const;
+    [[nodiscard]] std::optional<Route> follow(const End& from, Direction direction, std::string& problem) const;
+    [[nodiscard]] std::string element(const End&) const;
+    void emit_buffer(const Channel&);
+    void emit_platform();
+
+    Context& context_;
+    std::vector<std::unique_ptr<Channel>> channels_;
+    std::map<std::tuple<End, End>, Channel*> found_;  ///< by sender and receiver
+};
+
+}  // namespace robochart::prism_emit

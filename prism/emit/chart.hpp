@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// The normal form of a state machine that RoboTool makes before the encoding (R7, R11).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prism/emit/context.hpp"
+
+namespace robochart::prism_emit {
+
+/// A node of the model, or an added one.
+struct Place {
+    ir::NodeKind kind = ir::NodeKind::state;
+    std::string name;
+    std::string path;  ///< names from the top, joined by "::"
+    std::optional<std::size_t> parent, initial;
+    std::vector<ir::StmtPtr> entry;
+    bool composite = false;
+    bool dropped = false;  ///< unreachable now
+};
+
+/// A transition of the model, or an added one.
+struct Step {
+    std::string name;
+    std::size_t source = 0, target = 0;
+    const ir::Communication* trigger = nullptr;
+    std::vector<ir::ExprPtr> guards;
+    ir::ExprPtr probability;
+    std::vector<ir::StmtPtr> action;
+    diagnostics::Span span;
+};
+
+/// The places begin with the nodes of the machine, by id.
+struct Chart {
+    std::vector<Place> places;
+    std::vector<Step> steps;
+};
+
+/// The normal form of a machine or an operation; `element` names it in findings.
+[[nodiscard]] Chart normal_form(Context&, const ir::Machine&, const std::string& element);
+
+}  // namespace robochart::prism_emit

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Data that all parts of one emission share: the module, the model under construction, its names.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "base/diagnostics/diagnostic.hpp"
+#include "prism/emit/emission.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::prism_emit {
+
+/// The values of a variable: false and true, or low..high.
+struct Carrier {
+    bool boolean = false;
+    std::int64_t low = 0, high = 1;
+};
+
+class Context {
+public:
+    Context(const ir::System& whole, const Preferences& preferences, const ir::Module& encoded, const Functions& given,
+            diagnostics::Diagnostics& findings)
+        : system(whole), module(encoded), functions(given), diagnostics(findings), preferences_(preferences) {}
+
+    const ir::System& system;
+    const ir::Module& module;
+    const Functions& functions;  ///< of assertions
+    diagnostics::Diagnostics& diagnostics;
+    Emission emission;
+
+    /// A name made from this one that is neither reserved nor used yet.
+    [[nodiscard]] std::string unique(const std::string& wanted);
+    /// Records the PRISM name of a variable of the model.
+    void note(const ir::Variable& variable, const std::string& element, const std::string& name);
+    /// Records the PRISM name of an element.
+    void note(const std::string& kind, const std::string& element, const std::string& name);
+    /// "tick_16", "Action_20": the numbers increase over the whole model.
+    [[nodiscard]] std::string numbered(const std::string& stem) { return unique(stem + "_" + std::to_string(next_++)); }
+    /// Numbers for elements that the normal form adds.
+    [[nodiscard]] std::string added(const std::string& stem) { return stem + "_" + std::to_string(next_added_++); }
+
+    /// R3: the range of a type. No value, with a finding about `element`, if it is not encoded.
+    [[nodiscard]] std::optional<Carrier> carrier(ir::TypeId type, const std::string& element,
+                                                 const diagnostics::Span& span);
+    /// The declaration of a variable with this range.
+    [[nodiscard]] static prism::Variable variable(const std::string& name, const Carrier& carrier,
+                                                  prism::ExprPtr initial);
+    /// The name of a literal. R1: enumerations are constants, `SHuman_inRed`.
+    [[nodiscard]] const std::string& literal(ir::TypeId type, std::int64_t index);
+
+private:
+    const Preferences& preferences_;
+    std::set<std::string> taken_;
+    std::map<std::pair<std::uint32_t, std::int64_t>, std::string> literals_;
+    unsigned next_ = 16;  ///< RoboTool's own counters have the numbers before
+    unsigned next_added_ = 1;
+};
+
+}  // namespace robochart::prism_emit

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// A model with values for its constants: the packing of its states, and code over them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "prism/checks/checked.hpp"
+#include "prism/explore/code.hpp"
+#include "prism/explore/layout.hpp"
+#include "base/diagnostics/budget.hpp"
+
+namespace robochart::prism {
+
+class Instance {
+public:
+    /// `model` must outlive the object. Throws EvaluationError.
+    Instance(const CheckedModel& model, const Values& constants);
+
+    [[nodiscard]] const CheckedModel& model() const { return model_; }
+    /// Values of the constants of the model.
+    [[nodiscard]] const Values& constants() const { return constants_; }
+    [[nodiscard]] const Layout& layout() const { return layout_; }
+    /// Code for expressions over its states, with more constants. In a state, two booleans with the names below may
+    /// follow the values of the variables. Throws EvaluationError.
+    [[nodiscard]] Code code(const Values& more = {}) const;
+
+    /// Names of booleans in a state that are not variables: whether it is a deadlock, whether it is initial.
+    static constexpr const char* deadlock_name = "\"deadlock\"";
+    static constexpr const char* initial_name = "\"init\"";
+
+private:
+    const CheckedModel& model_;
+    Values constants_;
+    Layout layout_;
+};
+
+/// Calls `found` with the values of each initial state. States of init ... endinit are found by trying values: every
+/// conjunct is evaluated as soon as its variables have values. Throws EvaluationError.
+void list_initial_states(const Instance& instance, Code& code, diagnostics::Budget* budget,
+                         const std::function<void(const std::int32_t*)>& found);
+
+}  // namespace robochart::prism

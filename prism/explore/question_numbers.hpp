@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers in queries: bounds on the steps of paths, the index of a reward structure.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "prism/checks/checked.hpp"
+#include "prism/explore/code.hpp"
+
+namespace robochart::prism {
+
+/// Inclusive; without `to` there is no upper bound.
+struct StepRange {
+    std::uint64_t from = 0;
+    std::optional<std::uint64_t> to;
+};
+
+/// `F<k` is `F<=k-1`, `F>k` is `F>=k+1`. Throws EvaluationError for a negative number or an empty interval.
+[[nodiscard]] StepRange step_range(const StepBound& steps, Code& code);
+/// A number of steps: not negative.
+[[nodiscard]] std::uint64_t step_number(const ExprPtr& expr, Code& code);
+/// The bound of P, S or R: not negative, and at most 1 for a probability. Throws EvaluationError.
+[[nodiscard]] Real bound_of(const Expr& question, Code& code);
+/// The reward structure of an R query: by its name, by its number counted from 1, or the first by default. Throws
+/// EvaluationError.
+[[nodiscard]] std::size_t reward_index(const Query& query, const CheckedModel& model, Code& code);
+
+}  // namespace robochart::prism

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Real numbers of models: exact fractions as long as possible, otherwise enclosures. Decimal literals are fractions;
+// logarithms and roots are not.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "prism/markov/model/model.hpp"
+#include "prism/markov/solve/enclosure.hpp"
+
+namespace robochart::prism {
+
+using markov::Enclosure;
+using markov::Rational;
+
+/// Doubles around a fraction; both are equal to the fraction if it is a double.
+[[nodiscard]] Enclosure enclose(const Rational& value);
+/// A decimal literal as it is written: "1.5e-3".
+[[nodiscard]] Rational decimal(std::string_view text);
+
+/// Thrown if it is unknown whether an operation has a value, or if its numbers are too large to compute it.
+class Unclear : public std::domain_error {
+public:
+    using std::domain_error::domain_error;
+};
+
+/// An exact fraction, an enclosure of another number, or infinity. x/0 is infinite with the sign of x; zeros have no
+/// sign.
+class Real {
+public:
+    Real() = default;
+    Real(Rational value);  // NOLINT: every fraction is a real number
+    explicit Real(std::int64_t value) : Real(Rational(value)) {}
+    Real(Enclosure bounds);  // NOLINT
+
+    [[nodiscard]] bool exact() const { return exact_; }
+    [[nodiscard]] const Rational& value() const { return value_; }  ///< valid if exact
+    [[nodiscard]] Enclosure bounds() const { return exact_ ? enclose(value_) : bounds_; }
+    [[nodiscard]] bool infinite() const;  ///< known to be infinite
+    [[nodiscard]] bool finite() const;    ///< known to be finite
+    /// Returns -1, 0, 1 for less than, equal to, greater than; no value if the enclosures overlap.
+    [[nodiscard]] std::optional<int> compare(const Real& other) const;
+    /// "1/3", "0.25", "between 0.1 and 0.2".
+    [[nodiscard]] std::string text() const;
+
+    // Throw std::domain_error if there is no value, as in 0/0 and Infinity - Infinity, and Unclear.
+    friend Real operator+(const Real& a, const Real& b);
+    friend Real operator-(const Real& a, const Real& b);
+    friend Real operator*(const Real& a, const Real& b);
+    friend Real operator/(const Real& a, const Real& b);
+
+private:
+    bool exact_ = true;
+    Rational value_;
+    Enclosure bounds_;
+};
+
+// Throw std::domain_error if there is no value, and Unclear.
+[[nodiscard]] Real power(const Real& base, const Real& exponent);
+[[nodiscard]] Real logarithm(const Real& value, const Real& base);
+/// The lesser or the greater of two; an enclosure of it if they cannot be compared.
+[[nodiscard]] Real extreme(const Real& a, const Real& b, bool least);
+/// The greatest integer that is not greater; no value if the enclosure does not determine it. Throws std::domain_error
+/// for infinity.
+[[nodiscard]] std::optional<Rational> floor_of(const Real& value);
+/// A fraction for readers: as a decimal if it is short, otherwise as a fraction.
+[[nodiscard]] std::string fraction_text(const Rational& value);
+
+}  // namespace robochart::prism

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The graph of a model: its reverse edges, and its strongly connected components.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "prism/markov/model/model.hpp"
+
+namespace robochart::markov {
+
+/// The branches of a choice, as targets.
+[[nodiscard]] std::span<const State> targets(const Model& model, std::uint32_t choice);
+
+/// A model with its edges reversed. Keeps a reference to the model, and four bytes for each branch.
+class Graph {
+public:
+    explicit Graph(const Model& model);
+
+    [[nodiscard]] const Model& model() const { return model_; }
+    [[nodiscard]] std::size_t states() const { return model_.states(); }
+    /// Choices with a branch to this state, ascending.
+    [[nodiscard]] std::span<const std::uint32_t> choices_to(State state) const;
+    /// The state to which a choice belongs.
+    [[nodiscard]] State source(std::uint32_t choice) const { return source_[choice]; }
+
+private:
+    const Model& model_;
+    std::vector<State> source_;                  // by choice
+    std::vector<std::uint64_t> first_incoming_;  // states + 1 elements
+    std::vector<std::uint32_t> incoming_;        // choices
+};
+
+/// Some states and some of their choices.
+struct SubModel {
+    StateSet states;
+    std::vector<bool> choices;  ///< one element for each choice
+};
+
+/// A set of states in which a scheduler can stay forever, visiting each of them infinitely often with probability 1.
+struct EndComponent {
+    std::vector<State> states;           ///< ascending
+    std::vector<std::uint32_t> choices;  ///< choices that stay inside, ascending
+};
+
+/// The maximal end components whose states and choices are in `within`; disjoint, in ascending order of their first
+/// states (de Alfaro, Formal Verification of Probabilistic Systems, 1997).
+[[nodiscard]] std::vector<EndComponent> end_components(const Graph& graph, const SubModel& within);
+/// The maximal end components of the whole model.
+[[nodiscard]] std::vector<EndComponent> end_components(const Graph& graph);
+
+/// The strongly connected components of a dtmc that no branch leaves; states ascending, components sorted by their
+/// first state.
+[[nodiscard]] std::vector<std::vector<State>> bottom_components(const Model& model);
+
+}  // namespace robochart::markov

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Converts results of the operators over intervals to enclosures.
+#pragma once
+
+#include <functional>
+
+#include "prism/markov/operators/operators.hpp"
+
+namespace robochart::markov {
+
+/// Rounds upward while the operator runs. Runs it again with a higher precision if values lose too much precision when
+/// they pass through other components.
+[[nodiscard]] Solution answer(const Precision& precision,
+                              const std::function<Result<Interval>(const Precision& precision)>& operation);
+
+}  // namespace robochart::markov

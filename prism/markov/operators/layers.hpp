@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// A model whose step bounds count only some choices, unfolded with the count as a part of its states: each state occurs
+// once for every count up to a bound. Properties with a bound then become properties without one.
+#pragma once
+
+#include "prism/markov/model/model.hpp"
+#include "base/diagnostics/budget.hpp"
+
+namespace robochart::markov {
+
+/// State s at count c is c * states + s; the last state, for all greater counts, has a loop.
+struct Layers {
+    Model model;
+    std::size_t states = 0;  ///< states in a layer
+    std::uint64_t last = 0;  ///< the greatest count
+    [[nodiscard]] State at(State state, std::uint64_t count) const {
+        return static_cast<State>(count * states + state);
+    }
+    [[nodiscard]] State beyond() const { return static_cast<State>((last + 1) * states); }
+};
+
+/// Counts from 0 to `last`. A counted choice at the last count leads to the last state, or with `stays` back into the
+/// last layer, which then represents all counts from `last` on. Throws LimitReached if there are too many states.
+[[nodiscard]] Layers layers(const Model& model, std::uint64_t last, bool stays, diagnostics::Budget* budget);
+
+/// The rewards of the model in every layer; the last state has none.
+[[nodiscard]] Rewards in_layers(const Layers& layers, const Rewards& rewards);
+
+}  // namespace robochart::markov

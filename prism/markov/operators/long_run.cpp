@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prism/markov/operators/long_run.hpp"
+
+#include "prism/markov/operators/answer.hpp"
+
+namespace robochart::markov {
+
+Solution long_run_probability(const Model& model, const StateSet& set, const Precision& precision) {
+    return answer(precision,
+                  [&](const Precision& asked) { return LongRunOperators<Interval>::probability(model, set, asked); });
+}
+
+Solution long_run_reward(const Model& model, const Rewards& rewards, const Precision& precision) {
+    return answer(precision,
+                  [&](const Precision& asked) { return LongRunOperators<Interval>::reward(model, rewards, asked); });
+}
+
+}  // namespace robochart::markov

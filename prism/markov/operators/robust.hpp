@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Markov chains whose probabilities are only known within bounds: properties that all chains within the bounds share.
+// Robust value iteration (Nilim and El Ghaoui, Operations Research 53, 2005; Givan, Leach and Dean, Artificial
+// Intelligence 122, 2000). Nature chooses anew in each step, so a statement about all of its choices holds for every
+// chain within the bounds.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "prism/markov/model/model.hpp"
+#include "prism/markov/solve/solution.hpp"
+
+namespace robochart::markov {
+
+/// A possible target of a state, with bounds on its probability.
+struct UncertainBranch {
+    State target = 0;
+    double low = 0;  ///< 0 <= low <= high <= 1
+    double high = 1;
+};
+
+/// The branches of a state: all vectors of probabilities within the bounds whose distance from `centre`, the sum of
+/// absolute differences, is at most `radius`. At least one such vector exists.
+struct UncertainRow {
+    std::vector<UncertainBranch> branches;  ///< targets ascend
+    std::vector<double> centre;             ///< by branch; empty: no such condition
+    double radius = 2;
+};
+
+/// A chain, with one row for each state.
+using UncertainChain = std::vector<UncertainRow>;
+
+/// Bounds, for each state, on the probability to reach `goal` within 0, 1, ... `steps` steps, for every chain within
+/// the bounds: with `minimum`, no probability is below; with `maximum`, none is above. Rounding can only loosen the
+/// bounds. `result[k][s]` is for k steps from s. If a row has both kinds of conditions, only the ball is used. Throws
+/// std::invalid_argument if a row contains no vector of probabilities.
+[[nodiscard]] std::vector<std::vector<double>> reach_bounds(const UncertainChain& chain, const StateSet& goal,
+                                                            std::uint64_t steps, Direction direction,
+                                                            diagnostics::Budget* budget = nullptr);
+
+/// Bounds, for each state, on the expectation of a value of the state 0, 1, ... `steps` steps later, for every chain
+/// within the bounds. `result[k][s]` is for k steps from s.
+[[nodiscard]] std::vector<std::vector<double>> value_bounds(const UncertainChain& chain,
+                                                            const std::vector<double>& value, std::uint64_t steps,
+                                                            Direction direction, diagnostics::Budget* budget = nullptr);
+
+/// Bounds, for each state, on the expected sum of the costs of states before `goal` (at least 0; a state without costs
+/// has no predecessors). Value iteration approaches a lower bound from below, so every round gives one. An upper bound
+/// is a vector w with cost + E w <= w for all choices of nature (Park induction). It is infinite if nature can keep the
+/// chain from the goal forever, and if no such vector is found in `most_rounds` rounds.
+[[nodiscard]] std::vector<double> cost_bounds(const UncertainChain& chain, const StateSet& goal,
+                                              const std::vector<double>& cost, Direction direction,
+                                              std::uint64_t most_rounds = 100'000,
+                                              diagnostics::Budget* budget = nullptr);
+
+/// A bound on the long-run average of a value of the state, from a state: the greatest value[s] + E v - v[s], or the
+/// least, over the reachable states, for some vector v (any vector gives a bound: Puterman, Markov Decision Processes,
+/// 1994, theorem 8.5.5).
+[[nodiscard]] double average_bound(const UncertainChain& chain, State from, const std::vector<double>& value,
+                                   Direction direction, std::uint64_t most_rounds = 10'000,
+                                   diagnostics::Budget* budget = nullptr);
+
+}  // namespace robochart::markov

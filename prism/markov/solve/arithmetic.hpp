@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// The arithmetic that the operators need: intervals, rationals, and doubles for guesses.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "prism/markov/model/model.hpp"
+#include "prism/markov/solve/interval.hpp"
+#include "prism/markov/solve/solution.hpp"
+
+namespace robochart::markov {
+
+/// The numbers of a model in another arithmetic. A double is an arbitrary value of the enclosure.
+[[nodiscard]] std::vector<Interval> converted(const std::vector<Number>& numbers, const std::vector<Rational>& exact,
+                                              const Interval&);
+[[nodiscard]] std::vector<Rational> converted(const std::vector<Number>& numbers, const std::vector<Rational>& exact,
+                                              const Rational&);
+
+[[nodiscard]] inline Interval best(const Interval& left, const Interval& right, Direction direction) {
+    Interval result;
+    const bool greater = direction == Direction::maximum;
+    result.negated_low =
+        greater ? std::min(left.negated_low, right.negated_low) : std::max(left.negated_low, right.negated_low);
+    result.high = greater ? std::max(left.high, right.high) : std::min(left.high, right.high);
+    return result;
+}
+template <class Value>
+[[nodiscard]] Value best(const Value& left, const Value& right, Direction direction) {
+    return (direction == Direction::maximum) == (left < right) ? right : left;
+}
+
+/// Whether `left` is strictly better. Intervals are compared by some value in them, which affects only the choice of a
+/// strategy.
+[[nodiscard]] inline bool better(const Interval& left, const Interval& right, Direction direction) {
+    return direction == Direction::maximum ? left.middle() > right.middle() : left.middle() < right.middle();
+}
+template <class Value>
+[[nodiscard]] bool better(const Value& left, const Value& right, Direction direction) {
+    return direction == Direction::maximum ? left > right : left < right;
+}
+
+/// Whether a divisor is known to be positive.
+[[nodiscard]] inline bool positive(const Interval& value) {
+    return value.negated_low < 0;
+}
+template <class Value>
+[[nodiscard]] bool positive(const Value& value) {
+    return value > 0;
+}
+
+[[nodiscard]] inline bool is_zero(const Interval& value) {
+    return value.high == 0 && value.negated_low == 0;
+}
+template <class Value>
+[[nodiscard]] bool is_zero(const Value& value) {
+    return value == 0;
+}
+
+template <class Value>
+[[nodiscard]] Value whole(int value) {
+    return Value(value);
+}
+template <>
+[[nodiscard]] inline Interval whole<Interval>(int value) {
+    return {static_cast<double>(value), static_cast<double>(value)};
+}
+
+inline void poll(diagnostics::Budget* budget) {
+    if (budget != nullptr) budget->poll();
+}
+
+}  // namespace robochart::markov

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rewards in the form that the operators use.
+#pragma once
+
+#include <vector>
+
+#include "prism/markov/model/model.hpp"
+
+namespace robochart::markov {
+
+/// Rewards in another arithmetic; empty vectors: all rewards are 0.
+template <class Value>
+struct Earnings {
+    std::vector<Value> state;
+    std::vector<Value> choice;
+};
+
+template <class Value>
+[[nodiscard]] Earnings<Value> earnings(const Rewards& rewards);
+
+/// The places of positive rewards. Throws Unsupported if a reward is negative.
+class Payments {
+public:
+    Payments(const Model& model, const Rewards& rewards);
+
+    /// States that earn something, or may earn something by one of their choices.
+    [[nodiscard]] StateSet states() const;
+    /// Those of the given choices that earn nothing, including in their states.
+    [[nodiscard]] std::vector<bool> free_choices(std::vector<bool> choices) const;
+
+private:
+    [[nodiscard]] bool pays(State state, std::uint32_t choice) const;
+
+    const Model& model_;
+    const Rewards& rewards_;
+};
+
+}  // namespace robochart::markov

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// The optimal values of one strongly connected component.
+#pragma once
+
+#include <string>
+
+#include "prism/markov/solve/interval.hpp"
+#include "prism/markov/solve/system.hpp"
+
+namespace robochart::markov {
+
+/// Either every policy leaves with probability 1, or, for a minimum, any policy that does not has infinite value. Then
+/// the equations have one solution, which is the optimum (Bertsekas and Tsitsiklis, 1991).
+struct Optimum {
+    Direction direction;
+    Precision precision;
+};
+
+/// By policy iteration, starting with a policy that leaves.
+[[nodiscard]] SystemSolution<Rational> optimum(const System<Rational>& system, const Optimum& asked);
+
+/// Enclosures; if they cannot be made as narrow as requested, `shortfall` contains the reason. `most`: no value is
+/// above it.
+[[nodiscard]] SystemSolution<Interval> optimum(const System<Interval>& system, const Optimum& asked, double most,
+                                               std::string& shortfall);
+
+}  // namespace robochart::markov

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bounds for small components that no residual in floating point can prove: for example, if 2^40 steps are expected and
+// choices are equally good.
+#pragma once
+
+#include <optional>
+
+#include "prism/markov/solve/elimination.hpp"
+#include "prism/markov/solve/interval.hpp"
+
+namespace robochart::markov {
+
+/// The optimum of the equations with all probabilities at their low bounds, computed with rational numbers and widened
+/// by the possible effect of the true probabilities.
+///
+/// Suppose that the probabilities between different unknowns, and to outside, are within a factor 1+d of the low
+/// bounds, and that 1 - p(i,i) is the sum of the others. Under each policy a value is a quotient of two sums of
+/// products, each with at most n such factors, where n is the number of unknowns, and with no sign but plus (the
+/// matrix-tree theorem). So it changes by at most the factor (1+d)^n in either direction, and so does the best of them.
+/// Values grow with the constants; the equations are solved for both bounds. Policy iteration begins with `first`, a
+/// policy that leaves. No value if the limit is reached. `most`: no value is above it.
+[[nodiscard]] std::optional<SystemSolution<Interval>> rational_bounds(const System<Interval>& system, Policy first,
+                                                                      Direction direction, double most,
+                                                                      const EliminationLimit& limit);
+
+}  // namespace robochart::markov

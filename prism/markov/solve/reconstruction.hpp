@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reconstructs fractions from their values modulo a large number.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "prism/markov/model/model.hpp"
+
+namespace robochart::markov {
+
+using Integer = boost::multiprecision::cpp_int;
+
+/// digits[0] + digits[1] base + digits[2] base^2 + ...
+[[nodiscard]] Integer from_digits(std::span<const std::uint32_t> digits, std::uint32_t base);
+
+/// A fraction in lowest terms with numerator = value * denominator modulo `modulus`. |numerator| and denominator are so
+/// much smaller than the root of `modulus` that a number without such a fraction seldom appears to have one; no value
+/// if there is none. `value` is from 0 to modulus - 1. Computed by the Euclidean algorithm (Wang, 1981).
+struct Fraction {
+    Integer numerator;
+    Integer denominator;
+};
+[[nodiscard]] std::optional<Fraction> reconstructed(const Integer& value, const Integer& modulus);
+
+/// The fractions of several values with a common denominator; if one value has none, its index.
+struct CommonFractions {
+    std::vector<Integer> numerators;
+    Integer denominator = 1;
+    std::optional<std::size_t> without;
+};
+
+/// For `count` values, which the function `value` returns. Starts at `first`, which should be the value that had no
+/// fraction last time.
+[[nodiscard]] CommonFractions common_fractions(std::size_t count, std::size_t first, const Integer& modulus,
+                                               const std::function<Integer(std::size_t)>& value);
+
+}  // namespace robochart::markov

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Strategies that follow from the graph.
+#pragma once
+
+#include "prism/markov/graph/graph.hpp"
+#include "prism/markov/solve/solution.hpp"
+
+namespace robochart::markov {
+
+/// The choices of these states that stay within them.
+[[nodiscard]] std::vector<bool> choices_within(const Model& model, const StateSet& set);
+
+/// Sets choices in the states of the end component that lead with probability 1 to this choice of one of its states.
+void lead_to(const Graph& graph, const EndComponent& component, std::uint32_t choice,
+             std::vector<std::uint32_t>& strategy);
+
+/// Writes a strategy if one is requested. All states take their first choices unless a function of this class sets
+/// another one; the last call counts.
+class GraphStrategy {
+public:
+    GraphStrategy(const Graph& graph, const Precision& precision, std::vector<std::uint32_t>& strategy);
+
+    /// In the states of the set: choices that stay in it.
+    void stay(const StateSet& set);
+    /// In the states of the set outside the goal: choices with which the goal may be reached.
+    void may_reach(const StateSet& goal, const StateSet& set);
+    /// In the states of the set outside the goal: admitted choices that stay in the set until the goal is reached.
+    void reach(const StateSet& goal, const StateSet& set, const std::vector<bool>& admitted);
+    /// In the end component: this choice infinitely often.
+    void repeat(const EndComponent& component, std::uint32_t choice);
+
+private:
+    void go_back(const StateSet& goal, const StateSet& set, const std::vector<bool>& admitted);
+
+    const Graph& graph_;
+    const bool asked_;
+    std::vector<std::uint32_t>& strategy_;
+};
+
+}  // namespace robochart::markov

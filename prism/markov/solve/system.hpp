@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Equations of one strongly connected component: x(i) = the best, over the choices of i, of constant + sum of p * x(j).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "prism/markov/solve/solution.hpp"
+
+namespace robochart::markov {
+
+/// Unknowns 0 .. size-1. The outside probability and the entries of every choice sum to exactly 1; no choice has only
+/// entries for its own unknown; constants are not negative.
+template <class Value>
+struct System {
+    std::vector<std::uint32_t> first_choice{0};  ///< unknowns + 1 elements
+    std::vector<std::uint64_t> first_entry{0};   ///< choices + 1 elements
+    std::vector<std::uint32_t> unknown;          ///< by entry
+    std::vector<std::uint32_t> number;           ///< by entry: index into numbers
+    std::vector<Value> constant;                 ///< by choice: its reward plus the values that it reaches outside
+    std::vector<Value> outside;                  ///< by choice: the probability to leave
+    std::span<const Value> numbers;
+
+    [[nodiscard]] std::size_t size() const { return first_choice.size() - 1; }
+    [[nodiscard]] std::size_t choices() const { return first_entry.size() - 1; }
+};
+
+/// One choice for each unknown.
+using Policy = std::vector<std::uint32_t>;
+
+/// A policy that leaves the component with probability 1 from every state. Some choice must lead outside.
+template <class Value>
+[[nodiscard]] Policy leaving_policy(const System<Value>& system);
+
+/// Whether this policy leaves with probability 1 from every state.
+template <class Value>
+[[nodiscard]] bool leaves(const System<Value>& system, const Policy& policy);
+
+/// Values of unknowns, and the choices that attain them.
+template <class Value>
+struct SystemSolution {
+    std::vector<Value> values;
+    Policy policy;
+};
+
+}  // namespace robochart::markov

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// One random path of a dtmc, stored state by state.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "prism/explore/instance.hpp"
+#include "base/diagnostics/budget.hpp"
+
+namespace robochart::prism {
+
+struct RandomPath {
+    struct Step {
+        std::string action;                ///< "": none
+        std::vector<std::string> modules;  ///< names of the modules that act
+        std::vector<std::int32_t> values;  ///< values of the variables after the step, in the order of the layout
+    };
+    std::vector<std::int32_t> initial;
+    std::vector<Step> steps;
+    bool deadlock = false;  ///< its last state is a deadlock
+};
+
+/// The path with this number, as followed by samples with that seed: at most `steps` steps, ending at a deadlock. The
+/// model must be a dtmc with one initial state. Throws Unsampled, EvaluationError, LimitReached.
+[[nodiscard]] RandomPath random_path(const Instance& instance, std::uint64_t seed, std::uint64_t number,
+                                     std::uint64_t steps, diagnostics::Budget* budget);
+
+}  // namespace robochart::prism

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The samples of a query in order, computed by several threads.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "prism/sampling/method.hpp"
+#include "prism/sampling/path_question.hpp"
+
+namespace robochart::prism {
+
+/// Sample i is the result of path i: it depends only on the seed and on i. Samples are computed in advance in blocks,
+/// whose sizes do not depend on the number of threads either.
+class Sampler {
+public:
+    /// `question` is as for PathQuestion; `instance` must outlive the object. `constants` are those of the properties.
+    /// At most `most` samples are computed. Throws Unsampled, EvaluationError.
+    Sampler(const Instance& instance, const Expr& question, const Values& constants, std::uint64_t most,
+            const SamplingOptions& options);
+    ~Sampler();
+    Sampler(const Sampler&) = delete;
+    Sampler& operator=(const Sampler&) = delete;
+
+    /// Throws EvaluationError, LimitReached.
+    [[nodiscard]] Sample next();
+    /// Reports the warnings of all threads, each once.
+    void report(diagnostics::Diagnostics& diagnostics) const;
+
+private:
+    struct Worker;
+    void fill();
+
+    const SamplingOptions& options_;
+    const std::uint64_t most_;
+    std::vector<std::unique_ptr<Worker>> workers_;
+    std::vector<Sample> block_;
+    std::size_t taken_ = 0;       ///< samples taken from the block
+    std::uint64_t finished_ = 0;  ///< number of samples in previous blocks
+};
+
+}  // namespace robochart::prism

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Why a bound on a probability is violated: the most probable paths that together are evidence.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "prism/session/evaluator.hpp"
+#include "prism/explore/moves.hpp"
+
+namespace robochart::prism {
+
+/// A path in terms of the model.
+struct ProbablePath {
+    struct Step {
+        std::vector<Move> by;  ///< the commands that caused it; several elements: one of these
+        std::string changes;   ///< "x=1, y=false": the variables that change; "": none
+        std::string state;     ///< all variables
+    };
+    std::string from;  ///< the initial state
+    std::vector<Step> steps;
+    Enclosure probability;
+};
+
+/// Paths whose probabilities add up, since none is a prefix of another.
+struct Counterexample {
+    bool holds = true;                ///< the formula holds on these paths; if false, it does not, for any continuation
+    bool never = false;               ///< the formula can never hold any more
+    bool scheduled = false;           ///< for an mdp: under the scheduler that makes them most likely
+    std::vector<ProbablePath> paths;  ///< the most probable ones, at most `most_kept`
+    std::uint64_t count = 0;          ///< number of paths in the sum
+    Enclosure total;
+    Real bound;           ///< the bound that the total must reach or exceed
+    bool strict = true;   ///< must exceed
+    bool enough = false;  ///< it does; otherwise there are too many paths, or infinitely many
+    static constexpr std::size_t most_kept = 100;
+};
+
+/// For P with a bound, of F, G, U, W or R of state formulas, that is violated in an initial state. No value for other
+/// properties, and if a scheduler would need to know the number of steps. Labels must have been replaced. Throws
+/// EvaluationError, Undecided, LimitReached.
+[[nodiscard]] std::optional<Counterexample> counterexample(const StateSpace& space, Code& code, const ExprPtr& question,
+                                                           const EvaluatorOptions& options);
+
+/// The choices of a scheduler that attains the value of P or R without a step bound (within the width of the
+/// enclosures); for each state an index into the choices of the model. Throws as above, and Undecided if no memoryless
+/// scheduler attains it.
+[[nodiscard]] std::vector<std::uint32_t> best_choices(const StateSpace& space, Code& code, const ExprPtr& question,
+                                                      const EvaluatorOptions& options);
+
+}  // namespace robochart::prism

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exports a state space and results as text for other tools.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "prism/session/counterexample.hpp"
+#include "prism/explore/state_space.hpp"
+
+namespace robochart::prism {
+
+/// Receives a text piece by piece.
+using TextSink = std::function<void(std::string_view)>;
+
+/// Transitions: "states transitions", then a line "from to probability" for each; for an mdp "states choices
+/// transitions", then lines "from choice to probability action". Probabilities are doubles with all digits.
+void export_transitions(const StateSpace& space, const TextSink& sink);
+/// "(x,y)", then a line such as "0:(1,false)" for each state.
+void export_states(const StateSpace& space, const TextSink& sink);
+/// `0="init" 1="deadlock" 2="done"`, then "0: 0 2" for each state with labels.
+void export_labels(const StateSpace& space, const TextSink& sink);
+/// For Graphviz.
+void export_graph(const StateSpace& space, const TextSink& sink);
+/// A line for each state with several choices that is reachable under the scheduler: "x=1, y=false: [go] Robot (line
+/// 7)".
+void export_strategy(const StateSpace& space, const std::vector<std::uint32_t>& choices,
+                     const diagnostics::SourceManager& sources, const TextSink& sink);
+/// The stored paths as one graph for Graphviz; an edge of several paths occurs once.
+void export_counterexample(const Counterexample& counterexample, const diagnostics::SourceManager& sources,
+                           const TextSink& sink);
+
+}  // namespace robochart::prism

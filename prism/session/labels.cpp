@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// See labels.hpp.
+#include "prism/session/labels.hpp"
+
+namespace robochart::prism {
+
+LabelResolver::LabelResolver(const CheckedModel& model, const CheckedProperties& properties) {
+    for (const Definition& each : model.labels) bodies_.emplace(each.name.text, each.body);
+    for (const Definition& each : properties.labels) bodies_.emplace(each.name.text, each.body);
+    for (const Property& each : properties.properties)
+        if (!each.name.text.empty()) bodies_.emplace(each.name.text, each.expression);
+}
+
+ExprPtr LabelResolver::operator()(const ExprPtr& expr) {
+    if (!expr) return expr;
+    if (const auto known = done_.find(expr.get()); known != done_.end()) return known->second;
+    ExprPtr result = replaced(expr);
+    done_.emplace(expr.get(), result);
+    return result;
+}
+
+ExprPtr LabelResolver::replaced(const ExprPtr& expr) {
+    if (expr->op == Op::label) {
+        const auto found = bodies_.find(expr->text);
+        return found == bodies_.end() ? expr : (*this)(found->second);
+    }
+    if (expr->parts.empty()) return expr;
+    Expr copy = *expr;
+    for (ExprPtr& part : copy.parts) part = (*this)(part);
+    return make_expr(std::move(copy));
+}
+
+}  // namespace robochart::prism

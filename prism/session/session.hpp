@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// A model explored for one set of constants, and its properties.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "prism/checks/checked.hpp"
+#include "prism/session/counterexample.hpp"
+#include "prism/explore/state_space.hpp"
+#include "prism/session/result.hpp"
+
+namespace robochart::prism {
+
+struct SessionOptions {
+    double relative = 1e-6;  ///< width of the enclosures relative to their value
+    bool exact = false;      ///< compute with fractions
+    diagnostics::Budget* budget = nullptr;
+};
+
+class Session {
+public:
+    /// All arguments must outlive the object.
+    Session(const StateSpace& space, const CheckedProperties& properties, const SessionOptions& options);
+
+    /// Decides a property, with values for the constants that the properties do not define. Throws EvaluationError,
+    /// LimitReached. A comparison that the enclosures do not decide is repeated with narrower ones, and then with
+    /// fractions if the model is small.
+    [[nodiscard]] Result check(std::size_t property, const Values& constants) const;
+
+    /// Evidence for a bound that `check` has found violated, if there is any. Throws like `check`.
+    [[nodiscard]] std::optional<Counterexample> counterexample(std::size_t property, const Values& constants) const;
+
+    /// The choices of a scheduler that attains the value of a property (counterexample.hpp). Throws like `check`, and
+    /// Undecided.
+    [[nodiscard]] std::vector<std::uint32_t> best_choices(std::size_t property, const Values& constants) const;
+
+private:
+    /// A property with the data for its evaluation.
+    struct Question {
+        ExprPtr expr;  ///< labels have been replaced
+        Values constants;
+    };
+    [[nodiscard]] Question question(std::size_t property, const Values& constants) const;
+    [[nodiscard]] Result attempt(const Question& question, double relative, bool exact) const;
+
+    const StateSpace& space_;
+    const CheckedProperties& properties_;
+    SessionOptions options_;
+};
+
+}  // namespace robochart::prism

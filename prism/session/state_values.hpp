@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// A value for every state: booleans, some of which may be unknown, or numbers. A state may have no value.
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "prism/markov/model/model.hpp"
+#include "prism/explore/evaluation.hpp"
+#include "prism/explore/real.hpp"
+#include "prism/syntax/syntax.hpp"
+
+namespace robochart::prism {
+
+/// Known true, known false, unknown, or without a value.
+enum class Truth : std::uint8_t { no, yes, unknown, undefined };
+
+[[nodiscard]] Truth negated(Truth truth);
+[[nodiscard]] Truth both(Truth a, Truth b);
+
+/// Why an expression has no value in a state, or (`open`) why it is unknown whether it has one.
+struct Undefined {
+    EvaluationError error;
+    std::string open;  ///< "": it certainly has none
+};
+using UndefinedPtr = std::shared_ptr<const Undefined>;
+
+/// Thrown if the missing value of a state is used.
+class NoValue : public std::exception {
+public:
+    NoValue(std::size_t state, UndefinedPtr why) : state_(state), why_(std::move(why)) {}
+    [[nodiscard]] std::size_t state() const { return state_; }
+    [[nodiscard]] const Undefined& why() const { return *why_; }
+
+private:
+    std::size_t state_;
+    UndefinedPtr why_;
+};
+
+class StateVector {
+public:
+    Type type = Type::boolean;
+    std::vector<Truth> truths;       ///< for booleans
+    std::vector<Enclosure> numbers;  ///< for numbers that are not exact
+    std::vector<Real> reals;         ///< for exact numbers, and infinity
+    std::string reason;              ///< why something is unknown, or wider than requested
+    /// States without a value. Their truth is Truth::undefined.
+    std::map<std::size_t, UndefinedPtr> undefined;
+
+    [[nodiscard]] std::size_t size() const { return truths.size() + numbers.size() + reals.size(); }
+    /// Throws NoValue.
+    [[nodiscard]] Real number(std::size_t state) const {
+        require(state);
+        return reals.empty() ? Real(numbers[state]) : reals[state];
+    }
+    /// Throws NoValue if the state has none.
+    void require(std::size_t state) const {
+        if (const UndefinedPtr why = undefined_in(state)) throw NoValue(state, why);
+    }
+    /// Null if the state has a value.
+    [[nodiscard]] UndefinedPtr undefined_in(std::size_t state) const {
+        if (undefined.empty()) return nullptr;
+        const auto found = undefined.find(state);
+        return found == undefined.end() ? nullptr : found->second;
+    }
+    /// Adds a state without a value.
+    void add_undefined(UndefinedPtr why);
+    static StateVector of(const markov::StateSet& set);
+};
+
+/// Applies a relation, `less` to `greater_equal`, `equal` or `unequal`; unknown if enclosures overlap.
+[[nodiscard]] Truth related(const Real& a, Op relation, const Real& b);
+
+}  // namespace robochart::prism

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// P, S, R, A and E with their brackets. See parser.hpp.
+#include <algorithm>
+#include <array>
+
+#include "prism/syntax/parser.hpp"
+
+namespace robochart::prism {
+namespace {
+
+constexpr std::array<std::string_view, 15> openers{"P",       "Pmin",    "Pmax",    "S",       "R",
+                                                   "Rmin",    "Rmax",    "Pminmin", "Pminmax", "Pmaxmin",
+                                                   "Pmaxmax", "Rminmin", "Rminmax", "Rmaxmin", "Rmaxmax"};
+
+}  // namespace
+
+bool Parser::at_query() const {
+    return peek().kind == Tok::word && std::ranges::find(openers, peek().text) != openers.end();
+}
+
+ExprPtr Parser::query() {
+    const Depth depth(*this);
+    const Token& opener = take();
+    if (opener.text.size() > 4) refuse("several objectives or players", opener.span);
+    Query query;
+    Expr expr;
+    expr.op = opener.text[0] == 'P' ? Op::probability : opener.text[0] == 'S' ? Op::steady : Op::reward;
+    if (opener.text.ends_with("min")) query.optimum = Optimum::minimum;
+    if (opener.text.ends_with("max")) query.optimum = Optimum::maximum;
+    if (expr.op == Op::reward) reward_index(query);
+    if (query.optimum == Optimum::none) optimum(query);
+    relation(query);
+    expect("[");
+    expr.query = std::make_shared<const Query>(std::move(query));
+    const Within brackets(*this, in_brackets);
+    expr.parts = {expr.op == Op::reward ? reward_body() : expression()};
+    ExprPtr question = checked(std::move(expr), opener.span);
+    question = old_filter(std::move(question), opener.span);
+    expect("]");
+    return question;
+}
+
+void Parser::reward_index(Query& query) {
+    if (!accept("{")) return;
+    const Within braces(*this, in_brackets);
+    if (peek().kind == Tok::quoted)
+        query.reward = quoted("a name");
+    else
+        query.reward_index = expression();
+    expect("}");
+}
+
+void Parser::optimum(Query& query) {
+    if (accept("min")) query.optimum = Optimum::minimum;
+    if (accept("max")) query.optimum = Optimum::maximum;
+    if (at("minmax") || at("maxmin")) refuse("several players", peek().span);
+}
+
+void Parser::relation(Query& query) {
+    if (at("=") && at("?", 1)) {
+        take();
+        take();
+        return;
+    }
+    constexpr std::array<std::pair<std::string_view, Op>, 4> relations{
+        {{"<=", Op::less_equal}, {"<", Op::less}, {">=", Op::greater_equal}, {">", Op::greater}}};
+    for (const auto& [symbol, op] : relations) {
+        if (!accept(symbol)) continue;
+        query.relation = op;
+        const Within bound(*this, {});
+        constexpr int sum = 5;
+        query.bound = binary(sum);
+        return;
+    }
+    fail("'=?' or a bound such as '>=0.5'");
+}
+
+/// `F φ`, `C<=k`, `C`, `I=k`, `S`, or a path.
+ExprPtr Parser::reward_body() {
+    const Span from = peek().span;
+    if (accept("C")) {
+        if (accept("<=")) return node(Op::cumulative, from, {expression()});
+        return node(Op::total, from, {});
+    }
+    if (accept("I")) {
+        expect("=");
+        return node(Op::instantaneous, from, {expression()});
+    }
+    if (at("S") && (at("]", 1) || at("{", 1))) return take(), node(Op::long_run, from, {});
+    return expression();
+}
+
+/// `P=? [ path {states}{min}{max} ]`, the form of filters in older versions.
+ExprPtr Parser::old_filter(ExprPtr question, Span from) {
+    const Within braces(*this, in_brackets);
+    ExprPtr states;
+    bool least = false;
+    bool most = false;
+    while (accept("{")) {
+        if (accept("min"))
+            least = true;
+        else if (accept("max"))
+            most = true;
+        else
+            states = expression();
+        expect("}");
+    }
+    if (!states) {
+        if (least || most) fail("'{states}'");
+        return question;
+    }
+    std::string kind = least && most ? "range" : least ? "min" : most ? "max" : "state";
+    return node(Op::filter, from, {std::move(question), std::move(states)}, std::move(kind));
+}
+
+ExprPtr Parser::for_paths(Op op) {
+    const Depth depth(*this);
+    const Span from = expect("[");
+    const Within brackets(*this, in_brackets);
+    ExprPtr body = expression();
+    expect("]");
+    return node(op, from, {std::move(body)});
+}
+
+}  // namespace robochart::prism

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: Apache-2.0
+# A component is a folder. Its subfolders are listed in the order of their dependencies (docs/architecture.md). Sources
+# are found by their folder.
+
+# sources_of(RESULT FOLDER ...): the .cpp files of these folders below the current one, "." for the current one.
+function(sources_of result)
+  set(found "")
+  foreach(folder ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+    if(NOT sources)
+      message(FATAL_ERROR "${CMAKE_CURRENT_SOURCE_DIR}/${folder} has no sources")
+    endif()
+    list(APPEND found ${sources})
+  endforeach()
+  set(${result} ${found} PARENT_SCOPE)
+endfunction()
+
+# unite(TARGET FOLDER ...): with ROBOCHART_UNITY the sources of a folder are compiled in groups of at most a dozen, each
+# of which parses the common headers once. Folders are never mixed.
+function(unite target)
+  if(NOT ROBOCHART_UNITY)
+    return()
+  endif()
+  set(most 12)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # The first of these warnings treats an included source as a header; the second finds names of other sources. Builds
+  # without ROBOCHART_UNITY use both.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage> -Wno-shadow)
+  foreach(folder ${ARGN})
+    sources_of(sources ${folder})
+    list(LENGTH sources count)
+    math(EXPR groups "(${count} + ${most} - 1) / ${most}")
+    set(number 0)
+    foreach(source ${sources})
+      math(EXPR group "${number} * ${groups} / ${count}")
+      string(MAKE_C_IDENTIFIER "${folder}_${group}" name)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${name})
+      math(EXPR number "${number} + 1")
+    endforeach()
+  endforeach()
+endfunction()
+
+# Optimisation of tests took half of a cold build, and their own code takes little time to run.
+set(test_options -O0)
+
+# robochart_component(NAME [LIGHT] [TESTS] FOLDERS ... [SOURCES generated files ...] DEPENDS ...): a static library,
+# robochart_NAME. LIGHT: it does little of the work at run time, so release builds optimise it less, which saves a
+# quarter of its compile time. TESTS: only tests use it, and it has their compile options.
+function(robochart_component name)
+  cmake_parse_arguments(COMPONENT "LIGHT;TESTS" "" "FOLDERS;SOURCES;DEPENDS" ${ARGN})
+  sources_of(sources ${COMPONENT_FOLDERS})
+  add_library(robochart_${name} STATIC ${sources} ${COMPONENT_SOURCES})
+  target_link_libraries(robochart_${name} PUBLIC ${ROBOCHART_FMT} ${COMPONENT_DEPENDS})
+  unite(robochart_${name} ${COMPONENT_FOLDERS})
+  if(COMPONENT_TESTS)
+    target_compile_options(robochart_${name} PRIVATE ${test_options})
+  endif()
+  if(COMPONENT_LIGHT AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)
+    target_compile_options(robochart_${name} PRIVATE -O1)
+  endif()
+endfunction()
+
+# robochart_tests(NAME FOLDERS ... [ALONE folders ...] [SOURCES more files ...] DEPENDS ...): a GoogleTest program,
+# tests_NAME. ALONE: folders whose sources use the same names with different meanings; they are compiled one by one.
+function(robochart_tests name)
+  cmake_parse_arguments(TESTS "" "" "FOLDERS;ALONE;SOURCES;DEPENDS" ${ARGN})
+  set(sources "")
+  if(TESTS_FOLDERS)
+    sources_of(sources ${TESTS_FOLDERS})
+  endif()
+  add_executable(tests_${name} ${sources} ${TESTS_SOURCES})
+  set(united ${TESTS_FOLDERS})
+  list(REMOVE_ITEM united ${TESTS_ALONE})
+  unite(tests_${name} ${united})
+  target_compile_options(tests_${name} PRIVATE ${test_options})
+  precompile_tests(tests_${name})
+  target_link_libraries(tests_${name} PRIVATE ${TESTS_DEPENDS} robochart_source_folder GTest::gtest GTest::gmock GTest::gtest_main)
+  gtest_discover_tests(tests_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 600)
+endfunction()
+
+# robochart_embed_texts(RESULT FOLDER folder HEADER header NAMESPACE n FUNCTION f): generates a source that contains the
+# files of a folder below the current one (embed_texts.cmake); RESULT receives its path.
+function(robochart_embed_texts result)
+  cmake_parse_arguments(EMBED "" "FOLDER;HEADER;NAMESPACE;FUNCTION" "" ${ARGN})
+  set(folder ${CMAKE_CURRENT_SOURCE_DIR}/${EMBED_FOLDER})
+  set(script ${CMAKE_SOURCE_DIR}/scripts/cmake/embed_texts.cmake)
+  set(made ${CMAKE_CURRENT_BINARY_DIR}/${result}.cpp)
+  file(GLOB_RECURSE texts CONFIGURE_DEPENDS ${folder}/*)
+  add_custom_command(
+    OUTPUT ${made}
+    COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} -DHEADER=${EMBED_HEADER} -DNAMESPACE=${EMBED_NAMESPACE}
+            -DFUNCTION=${EMBED_FUNCTION} -DOUTPUT=${made} -P ${script}
+    DEPENDS ${texts} ${script}
+    VERBATIM)
+  set(${result} ${made} PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Models with probabilistic assertions for tests.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "prism/assertions/experiments/experiment.hpp"
+#include "prism/assertions/process/process_encoding.hpp"
+#include "prism/assertions/properties/translate.hpp"
+#include "prism/assertions/robotool/robotool_encoding.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::probability::testing {
+
+/// A project, given by paths and texts of its files, resolved and lowered.
+struct Loaded {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    frontend::Model model;
+    ir::System system;
+
+    [[nodiscard]] std::string report() const;
+};
+
+[[nodiscard]] std::unique_ptr<Loaded> load(const std::map<std::string, std::string>& files);
+
+/// The only module, or the first controller or machine if there is none.
+[[nodiscard]] ir::ComponentRef whole(const ir::System&);
+
+/// An assertion with this name, and its file.
+struct Claim {
+    const frontend::File* file = nullptr;
+    const frontend::ProbabilisticAssertion* assertion = nullptr;
+};
+[[nodiscard]] Claim claim(const Loaded&, const std::string& name);
+
+/// Ranges 0..2 for nat, int and real, and a dtmc.
+[[nodiscard]] RoboToolOptions small_ranges();
+
+/// The rows of an assertion in RoboTool's encoding of the only module. If a row is undecided, its error states the
+/// reason.
+[[nodiscard]] std::vector<Row> robotool(const Loaded&, const std::string& assertion,
+                                        const RoboToolOptions& options = small_ranges(), const Deciding& how = {});
+
+/// The rows of an assertion on the decision process of the `whole`. `compared`: the number of states that were compared
+/// with the process that is checked for refinement.
+[[nodiscard]] std::vector<Row> process(Loaded&, const std::string& assertion, Scheduler scheduler = Scheduler::any,
+                                       std::uint64_t* compared = nullptr, std::uint64_t most_states = 100'000,
+                                       bool exact = true);
+
+/// "k=1: 0.5": the constants with the value, the truth value or the error.
+[[nodiscard]] std::string text(const Row& row);
+/// One line for each row.
+[[nodiscard]] std::string text(const std::vector<Row>& rows);
+
+}  // namespace robochart::probability::testing

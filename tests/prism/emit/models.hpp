@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// RoboChart models, encoded for tests.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "prism/emit/emit.hpp"
+
+namespace robochart::prism_emit::testing {
+
+/// A model and the result of its encoding.
+struct Encoded {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics diagnostics;
+    std::optional<Emission> emission;
+
+    /// "RC-E02 RC-E05": the distinct codes of the errors.
+    [[nodiscard]] std::string codes() const;
+    [[nodiscard]] std::string report() const;
+    /// The lines of its declarations and commands, with every `prefix` removed.
+    [[nodiscard]] std::set<std::string> lines(const std::string& prefix) const;
+};
+
+/// Ranges as in RoboTool's preferences: nat 0..2, int 0..2, real 0..2.
+[[nodiscard]] Preferences small_ranges();
+
+/// The only module of a text, or of the files of a folder by name.
+[[nodiscard]] std::unique_ptr<Encoded> encoded(const std::string& text, const Preferences& ranges = small_ranges());
+[[nodiscard]] std::unique_ptr<Encoded> encoded(const std::map<std::string, std::string>& files,
+                                               const Preferences& ranges);
+
+/// States and transitions of the model, with values for its constants.
+struct Size {
+    std::size_t states = 0, transitions = 0;
+    friend bool operator==(const Size&, const Size&) = default;
+};
+[[nodiscard]] Size size_of(const Encoded&, const std::map<std::string, std::string>& constants = {});
+/// The value of a property.
+[[nodiscard]] double value_of(const Encoded&, const std::map<std::string, std::string>& constants,
+                              const std::string& property);
+
+}  // namespace robochart::prism_emit::testing
