@@ -52,10 +52,10 @@ def tables(quick: bool) -> list[Table]:
               [script("decide_rules.py", "--program", str(PROGRAM), "--values", values, "--limit", "1000000")
                for values in ("8", "20")]),
         Table("Again, after an edit", needs=f"{shared}: the high-voltage controller"),
-        Table("Diagrams", needs=f"{shared}, and elkjs from the npm registry: scripts/bench_diagrams.sh"),
+        Table("Diagrams", needs=f"{shared}, and elkjs from the npm registry: benchmarks/run.py diagrams"),
         Table("Simulation", [[str(BUILD / "simulation/adapters/enki/benchmark_simulation"),
                               "corpus/aggregation/aggregation.scenario"]]),
-        Table("The code base and its build", [["python3", "scripts/code_figures.py"]]),
+        Table("The code base and its build", [["python3", "benchmarks/code_figures.py"]]),
     ]
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Compares generated code with hand-written switches: speed, size, compile cost. Called by scripts/bench_code.sh.
+"""Compares generated code with hand-written switches: speed, size, compile cost. Called by benchmarks/run.py code.
 
 Usage: bench_code.py COMMAND LAYOUTS COMPILER STRATEGY
 """

@@ -4,7 +4,7 @@
 values and numbers of states with those of the set, and CPU seconds with those of four checkers in QComp 2020 for the same
 questions.
 
-Usage: benchmarks/decide_qvbs.py --program PROGRAM --folder FOLDER [--jobs N] [--only TEXT] [--exact STATES]   (scripts/bench_qvbs.sh)
+Usage: benchmarks/decide_qvbs.py --program PROGRAM --folder FOLDER [--jobs N] [--only TEXT] [--exact STATES]   (benchmarks/run.py qvbs)
 """
 import argparse
 import csv

@@ -9,7 +9,7 @@ component has to refine rule and memories in the traces model. Here the encoding
 each memory, and `robochart-verify cspm` decides it over the same timed semantics of the model, up to a limit of states.
 Prints both answers with states, CPU seconds and memory. With few values (first line) both are decided and agree.
 
-Usage: benchmarks/decide_rules.py --program PROGRAM [--values N] [--limit STATES]   (scripts/bench_rules.sh)
+Usage: benchmarks/decide_rules.py --program PROGRAM [--values N] [--limit STATES]   (benchmarks/run.py rules)
 """
 import argparse
 import json

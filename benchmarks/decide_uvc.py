@@ -4,7 +4,7 @@
 `robochart-verify prism`. Compares states, transitions and values with the reference, and prints seconds next to those of
 PRISM 4.6 (shared/suite/prism/uvc/EXPECTED.tsv).
 
-Usage: benchmarks/decide_uvc.py --program PROGRAM --folder FOLDER [--jobs N] [--usual] [--model]   (scripts/bench_uvc.sh)
+Usage: benchmarks/decide_uvc.py --program PROGRAM --folder FOLDER [--jobs N] [--usual] [--model]   (benchmarks/run.py uvc)
 --usual: the default width of intervals, compared with PRISM's own results.
 --model: the model in RoboChart with its assertions, with `check --encoding robotool`, and not RoboTool's PRISM file.
 """

@@ -3,7 +3,7 @@
 """Tunes both radii and the patience of swarm taxis from random starts, with `tune` and, if R has it, with irace at the same
 budget of trials, and judges the results and the paper's values on the scenario's own seeds.
 
-scripts/tune_taxis.sh calls it. Both searches use the same costs: the time until the swarm arrives, or ten times the
+Both searches use the same costs: the time until the swarm arrives, or ten times the
 scenario's duration. With ten repetitions of each, Wilcoxon's signed-rank test compares the costs on fresh seeds.
 """
 
@@ -143,7 +143,7 @@ def main():
     program = str(pathlib.Path(arguments.program).resolve())
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        subprocess.run([str(pathlib.Path(__file__).parent.parent / "scripts/tunable_taxis.sh"), str(folder / "taxis")], check=True)
+        subprocess.run([str(pathlib.Path(__file__).parent.parent / "benchmarks/tunable_taxis.sh"), str(folder / "taxis")], check=True)
         scenario = folder / "taxis/tuning.scenario"
         bands = with_bands(scenario)
         judge = lambda label, constants: show(label, constants, costs(program, bands, constants, 600_001, arguments.fresh))

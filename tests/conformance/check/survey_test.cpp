@@ -54,7 +54,7 @@ std::string shared_folder() {
     return given != nullptr ? given : tests::source_folder().string() + "/../shared";
 }
 
-/// The compiler and additional flags, set by scripts/survey.sh.
+/// The compiler and additional flags, set by tests/long.sh survey.
 std::string from_environment(const char* name, const char* otherwise) {
     const char* given = std::getenv(name);
     return given != nullptr ? given : otherwise;
@@ -119,7 +119,7 @@ protected:
     }
 
     /// The industrial controller and the larger case study are too expensive for every run: their code is only
-    /// generated and compiled. scripts/survey.sh checks all of their components.
+    /// generated and compiled. tests/long.sh survey checks all of their components.
     void compile(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& ref,
                  const std::string& name) {
         diagnostics::Diagnostics found;

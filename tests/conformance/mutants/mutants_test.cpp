@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Seeded faults of the generator in every construct that it writes (cpp_emit/plan/fault.hpp; they include RoboTool's
 // faults). Each mutant is killed, shown by the checker to be equivalent to the original, or a variant that the model
-// allows for a reason listed here. ROBOCHART_MUTANTS=all tries all places and prints tables (scripts/mutants.sh). By
+// allows for a reason listed here. ROBOCHART_MUTANTS=all tries all places and prints tables (tests/long.sh mutants). By
 // default the test tries one place of each kind in most models, and three in models written for specific kinds.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // Random models of the language's reactive core: generated, compiled in batches, explored over all inputs, compared
 // with their semantics. No discrepancy is accepted. ROBOCHART_SEEDS=N sets the number of models and
 // ROBOCHART_FIRST_SEED=N the first one. ROBOCHART_REPORT=FILE writes one line per count to FILE
-// (scripts/random_conformance.sh).
+// (tests/long.sh conformance).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -93,7 +93,7 @@ TEST(RandomModels, Conform) {
     expect_everything(campaign.tally());
 }
 
-/// The shape of models that ROBOCHART_MODELS names (scripts/random_conformance.sh).
+/// The shape of models that ROBOCHART_MODELS names (tests/long.sh conformance).
 TEST(RandomModels, Campaign) {
     const char* named = std::getenv("ROBOCHART_MODELS");
     if (named == nullptr) GTEST_SKIP() << "ROBOCHART_MODELS is not set";
@@ -129,7 +129,7 @@ TEST(RandomModels, OfToolkitsCallWhatHasPreconditions) {
     EXPECT_GE(found, 3U);
 }
 
-/// A few models of each other shape; scripts/random_conformance.sh runs many.
+/// A few models of each other shape; tests/long.sh conformance runs many.
 TEST(RandomModels, OfTheOtherShapesConform) {
     for (const NamedShape& shape : shapes) {
         if (shape.of == core_shape) continue;

@@ -65,7 +65,7 @@ std::string some_event(const ir::System& system) {
 
 /// Each process is compared with the one that is checked for refinement, also with an observer of one of its events.
 /// Some models have no answer: probabilities given by random expressions need not sum to 1, and some models are too
-/// large. scripts/random_probability.sh tries many more.
+/// large. tests/long.sh probability tries many more.
 TEST(Agreement, OfRandomModels) {
     std::size_t answered = 0;
     std::size_t rewarded = 0;

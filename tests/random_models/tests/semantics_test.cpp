@@ -96,7 +96,7 @@ TEST(Semantics, TakesTheTimedCore) {
     EXPECT_GE(tally.emitted * 10, tally.models * 9);
 }
 
-/// `scripts/random_scripts.sh` tries a thousand models. The test starts with seed 2, because the model of seed 1 has
+/// `tests/long.sh scripts` tries a thousand models. The test starts with seed 2, because the model of seed 1 has
 /// more than 20,000 configurations and takes half a minute each time.
 TEST(Semantics, TakesOrRefusesTheWholeLanguageByName) {
     pass_all_through(Shape::whole_language(), csp_emit::Time::timed, 10, 2);

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Compares the refinement checker with the naive one of the tests, on random processes (docs/testing.md):
-#   scripts/random_checks.sh [CHECKS [SEED]]           default: 10000 checks with random options, and as many with scripts
-#   scripts/random_checks.sh --command [SCRIPTS [SEED]]  default: 10000 scripts through the whole command
+#   tests/long.sh checks [CHECKS [SEED]]           default: 10000 checks with random options, and as many with scripts
+#   tests/long.sh checks --command [SCRIPTS [SEED]]  default: 10000 scripts through the whole command
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 cmake --preset release -DROBOCHART_TESTS=ON
 if [[ "${1:-}" == --command ]]; then
   export ROBOCHART_RANDOM_SCRIPTS="${2:-10000}"

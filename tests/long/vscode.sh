@@ -4,7 +4,7 @@
 # the copy (default: build/vscode). Without node, npm or a reachable registry it prints the reason and exits with 77
 # (skipped), or with 1 in CI (if CI is set).
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 copy="${1:-build/vscode}"
 
 cannot_run() {

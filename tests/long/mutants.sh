@@ -5,7 +5,7 @@
 # that the model allows), what killed them, and the lengths of the shortest differences. First builds the tests of the
 # component in release form.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 cmake --preset release -DROBOCHART_TESTS=ON > /dev/null
 cmake --build --preset release --target tests_conformance > /dev/null
 ROBOCHART_MUTANTS=all exec build/release/tests/conformance/tests_conformance --gtest_filter='Mutants.*'

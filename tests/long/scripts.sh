@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # Random models through the semantics: every generated script must parse to the same tree and pass the type checker
 # (docs/testing.md):
-#   scripts/random_scripts.sh [MODELS [FIRST_SEED]]     default: 1000 models of each shape from seed 0
+#   tests/long.sh scripts [MODELS [FIRST_SEED]]     default: 1000 models of each shape from seed 0
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 export ROBOCHART_SEEDS="${1:-1000}"
 export ROBOCHART_FIRST_SEED="${2:-0}"
 cmake --preset release -DROBOCHART_TESTS=ON

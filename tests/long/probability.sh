@@ -6,9 +6,9 @@
 # component in release form.
 # Arguments: the number of models (default 1000), the first seed (default 0).
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 cmake --preset release -DROBOCHART_TESTS=ON > /dev/null
 cmake --build --preset release --target tests_probability
 export ROBOCHART_SEEDS="${1:-1000}" ROBOCHART_FIRST_SEED="${2:-0}"
-exec build/release/tests/probability/tests_probability \
+exec build/release/tests/prism/assertions/tests_probability \
   --gtest_filter='Agreement.OfRandomModels:Agreement.TheChainLiesBetweenTheSchedulers'

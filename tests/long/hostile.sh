@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Mutates the inputs of the repository (and of ../shared, if it exists) and runs the whole command on them.
-# scripts/hostile_inputs.sh [--asan] [INPUTS [FIRST_SEED [OPTION...]]], by default 30,000 from a new seed, which it prints.
+# tests/long.sh hostile [--asan] [INPUTS [FIRST_SEED [OPTION...]]], by default 30,000 from a new seed, which it prints.
 # --asan uses the command with AddressSanitizer and UndefinedBehaviorSanitizer. Options are passed on:
 # --verbs 'rules MODEL=3,conform' (only these, with weights), --accepted 0.5 (the share that the front end must accept),
 # --seconds S, --jobs N. An input that violates a property is stored in build/hostile/SEED
 # (tests/fuzz/whole_command.py lists the properties).
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 preset=release
 sanitized=()
 if [ "${1:-}" = --asan ]; then

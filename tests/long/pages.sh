@@ -6,7 +6,7 @@
 # the output (default: build/pages). Both npm packages are fetched into that folder, without their dependencies, and
 # never shipped. Without Chromium, node, npm or a reachable registry it prints the reason and exits with 77 (skipped).
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 verify="$(realpath "${1:-build/release/app/robochart-verify}")"
 made="${2:-build/pages}"
 
@@ -73,7 +73,7 @@ number=0
 while IFS= read -r -d '' model; do
   number=$((number + 1))
   "$verify" draw "$model" --format mermaid --out "$drawn/$number" >/dev/null 2>&1 || [ "$?" -le 2 ]
-done < <(find corpus tests/diagrams tests/frontend/fixtures -name '*.rct' -print0 | sort -z)
+done < <(find corpus tests/frontend/diagrams tests/frontend/fixtures -name '*.rct' -print0 | sort -z)
 mapfile -d '' -t files < <(find "$drawn" -type f -print0 | sort -z)
 node tests/browser/mermaid.mjs "$made/mermaid/package/dist/mermaid.min.js" "${files[@]}"
 echo "Mermaid: ${#files[@]} diagrams, all accepted"

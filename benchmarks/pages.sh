@@ -2,13 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # The page with the counterexample of the high-voltage controller, 1,375 steps of four machines: its size, its loading
 # time in Chromium, the time per step, and a check that each step highlights the states of its data (docs/benchmarks.md,
-# "Diagrams"). Then 10,000 random steps of the semantics by hand. The model's folder: ROBOCHART_SHARED/bench/hvc.
+# "Diagrams"). Then 10,000 random steps of the semantics by hand. benchmarks/run.py calls it:
+# benchmarks/pages.sh PROGRAM MODEL
 set -euo pipefail
-cd "$(dirname "$0")/.."
-cmake --preset release >/dev/null
-cmake --build --preset release --target robochart-verify
-model="${ROBOCHART_SHARED:-../shared}/bench/hvc"
-verify=build/release/app/robochart-verify
+verify="$1"
+model="$2"
 made="$(mktemp -d)"
 trap 'rm -rf "$made"' EXIT
 "$verify" check "$model" --assertion P1_fail --format json --html "$made/page.html" >"$made/report.json" 2>/dev/null ||

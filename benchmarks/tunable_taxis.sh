@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Copies corpus/swarm_taxis to FOLDER, with both radii and the patience as constants, for `tune`:
-# scripts/tunable_taxis.sh FOLDER
+# benchmarks/tunable_taxis.sh FOLDER
 # The assertions in CSP blocks are removed, because they name its processes without these constants.
 set -eu
 folder=${1:?"a folder that is not there yet"}

@@ -6,7 +6,7 @@
 # their reasons. The folder of the models: ROBOCHART_SHARED (default ../shared). PRESET selects the build (default
 # release).
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 preset="${PRESET:-release}"
 cmake --preset "$preset" -DROBOCHART_TESTS=ON > /dev/null
 cmake --build --preset "$preset" --target tests_conformance > /dev/null

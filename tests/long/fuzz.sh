@@ -4,7 +4,7 @@
 # Arguments: CPU seconds per target (default 600), then the targets (default: all). Failing inputs are stored in
 # build/fuzz/found/TARGET, and inputs that reach new code in build/fuzz/corpus/TARGET.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 seconds="${1:-600}"
 shift || true
 targets=("$@")

@@ -4,7 +4,7 @@
 # states on disk and very little memory. Answers, figures and counterexamples must be equal (docs/search.md, "Out of
 # core"). Arguments: folders; the default is the scripts in ROBOCHART_SHARED/suite and in tests.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 cmake --preset release -DROBOCHART_TESTS=ON > /dev/null
 cmake --build --preset release --target tests_cspm
 folders=("$@")

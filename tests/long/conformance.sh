@@ -8,9 +8,9 @@
 # (tests/conformance/random/random_shapes.hpp). ROBOCHART_JOBS is the number of processes (default: one for each
 # processor). Seeds are processed in ranges of 500; results are stored below build/random_conformance for the current
 # program, so that an interrupted run continues where it stopped. A single model that disagrees is shrunk
-# (`scripts/random_conformance.sh 1 SEED`).
+# (`tests/long.sh conformance 1 SEED`).
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 models="${1:-100000}"
 first="${2:-0}"
 export ROBOCHART_COMPILER="${3:-c++}"

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Compares searches by ranks with the ordinary search (docs/scale.md):
-#   scripts/check_ranks.sh           threads as 1, 2, 3, 4 and 8 ranks, and as two and three programs of two ranks each, on
+#   tests/long.sh ranks           threads as 1, 2, 3, 4 and 8 ranks, and as two and three programs of two ranks each, on
 #                                    the scripts of the tests and of ROBOCHART_SHARED
-#   scripts/check_ranks.sh --mpirun  2 and 4 real programs, and 2 with two threads each, on ten scripts; searches with
+#   tests/long.sh ranks --mpirun  2 and 4 real programs, and 2 with two threads each, on ten scripts; searches with
 #                                    checkpoints that are ended and resumed; and every documented way to end ranks
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 cmake --preset release -DROBOCHART_TESTS=ON > /dev/null
 if [[ "${1:-}" == --mpirun ]]; then
   cmake --build --preset release --target robochart-verify robochart-verify-mpi faulty_ranks

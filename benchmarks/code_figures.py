@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Figures of the code base: folders, cycles of units, classes, comments of functions. docs/benchmarks.md quotes them.
 
-Usage: scripts/code_figures.py [FOLDER]   (default: the project; works for other source trees with the same conventions)
+Usage: benchmarks/code_figures.py [FOLDER]   (default: the project; works for other source trees with the same conventions)
 """
 import collections
 import os
@@ -21,7 +21,7 @@ def sources(root):
 
 
 def is_program(path):
-    return not path.startswith(("tests/", "benchmarks/", "random_models/", "fuzz/", "editors/"))
+    return not path.startswith(("tests/", "benchmarks/", "editors/vscode/"))
 
 
 def strong_components(edges):
