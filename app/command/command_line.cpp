@@ -102,7 +102,7 @@ std::optional<Parsed> unknown_verb(const std::vector<std::string>& words) {
         const std::vector<std::string> known = emitted_things();
         if (std::ranges::find(known, words[1]) != known.end()) return std::nullopt;
         const bool plus = words[1] == "c++" || words[1] == "cxx" || words[1] == "C++";
-        return wrong_usage(fmt::format("emit writes no '{}'{}", words[1],
+        return wrong_usage(fmt::format("emit cannot write '{}'{}", words[1],
                                        plus ? "; did you mean 'cpp'?" : did_you_mean(words[1], known)),
                            "emit");
     }
@@ -194,8 +194,9 @@ Parsed parse_failed(const CLI::App& app, const CLI::Error& error) {
         if (word.starts_with("-") && word != "--" && word != "-") return wrong_usage(unknown_option(word, verb), verb);
     if (const auto* count = dynamic_cast<const CLI::ArgumentMismatch*>(&error))
         return wrong_usage(wrong_count(*count, verb), verb);
-    if (verb.empty()) return wrong_usage("a model or a verb is wanted");
-    if (verb == "emit") return wrong_usage(fmt::format("emit what? {}", fmt::join(emitted_things(), ", ")), verb);
+    if (verb.empty()) return wrong_usage("expected a model or a verb");
+    if (verb == "emit")
+        return wrong_usage(fmt::format("emit needs one of {}", fmt::join(emitted_things(), ", ")), verb);
     return wrong_usage(error.what(), verb);
 }
 

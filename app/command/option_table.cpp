@@ -144,7 +144,7 @@ void take_threads(Options& o, const std::string& word) {
 template <Format format>
 void take_file(Options& o, const std::string& path) {
     for (const auto& [other, taken] : o.files)
-        if (taken == path) throw UsageError(path + " is to get the answer in two formats");
+        if (taken == path) throw UsageError(path + " is given for two output formats");
     o.files[format] = path;
 }
 
@@ -596,10 +596,10 @@ bool is_number(const Argument& wanted, const std::string& word, std::uint64_t& v
 }
 
 std::string wanted_number(const Argument& wanted) {
-    if (wanted.kind == Kind::size) return "a size above 0 with its unit is wanted, as 300M or 4GiB";
+    if (wanted.kind == Kind::size) return "expected a size above 0 with a unit, such as 300M or 4GiB";
     const std::string range = wanted.most == any_number ? fmt::format("from {}", wanted.least)
                                                         : fmt::format("from {} to {}", wanted.least, wanted.most);
-    return fmt::format("a {} {} is wanted", wanted.kind == Kind::seconds ? "number of seconds" : "whole number", range);
+    return fmt::format("expected a {} {}", wanted.kind == Kind::seconds ? "number of seconds" : "whole number", range);
 }
 
 std::string wrong_number(const Argument& wanted, std::string& word) {
@@ -612,14 +612,14 @@ std::string wrong_number(const Argument& wanted, std::string& word) {
 std::string wrong_choice(const Argument& wanted, const std::string& word) {
     const std::vector<std::string> known = choices_of(wanted);
     if (std::ranges::find(known, word) != known.end()) return "";
-    return fmt::format("'{}' is none of {}{}", word, fmt::join(known, ", "), did_you_mean(word, known));
+    return fmt::format("'{}' is not one of {}{}", word, fmt::join(known, ", "), did_you_mean(word, known));
 }
 
 /// The number must be above 0 and below 1.
 std::string wrong_fraction(const std::string& word) {
     double value = 0;
     const bool good = parse_seconds(word, value) && value > 0 && value < 1;
-    return good ? "" : fmt::format("{}: a number between 0 and 1 is wanted", word);
+    return good ? "" : fmt::format("{}: expected a number between 0 and 1", word);
 }
 
 /// The word must be the code of a rule that warns.
@@ -639,7 +639,7 @@ std::string wrong_warning(std::string& code) {
     for (const diagnostics::Rule* rule : all_rules())
         if (rule->severity == diagnostics::Severity::warning) known.emplace_back(rule->code);
     const std::string meant = did_you_mean(code, known);
-    return fmt::format("{} is no code of a warning{}", code,
+    return fmt::format("{} is not the code of a warning{}", code,
                        meant.empty() ? " (robochart-verify explain lists them)" : meant);
 }
 

@@ -302,7 +302,7 @@ csp_emit::SwarmGrid grid_of(const std::string& text) {
                        std::from_chars(middle + 1, end, grid.height).ptr == end;
     const auto fits = [](std::uint32_t side) { return side >= 2 && side <= most; };
     if (!whole || !fits(grid.width) || !fits(grid.height))
-        throw UsageError(fmt::format("--grid {}: two numbers from 2 to {} are wanted, as 5x8", text, most));
+        throw UsageError(fmt::format("--grid {}: expected two numbers from 2 to {}, such as 5x8", text, most));
     return grid;
 }
 
@@ -474,8 +474,7 @@ bool is_set(const std::vector<std::string>& options, const std::string& name) {
 
 Options with_swarm(Options options) {
     if (options.swarm.empty()) {
-        if (options.robots > 0 || !options.grid.empty())
-            throw UsageError("--robots and --grid are about a swarm: name its file with --swarm");
+        if (options.robots > 0 || !options.grid.empty()) throw UsageError("--robots and --grid need --swarm");
         return options;
     }
     diagnostics::SourceManager sources;

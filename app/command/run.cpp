@@ -79,7 +79,7 @@ refine::LevelStrategy* Run::kept_searches(const Options& options) {
     if (kept_searches_) return kept_searches_.get();
     for (const std::string& other : named)
         if (!other.empty() && other != *folder)
-            throw UsageError("--checkpoint, --resume and --disk name the same folder, or one of them is enough");
+            throw UsageError("--checkpoint, --resume and --disk must name the same folder");
     constexpr double milliseconds = 60'000;
     refine::KeptSettings settings;
     settings.folder = *folder;

@@ -45,7 +45,7 @@ void resolve_choices(const Options& options, LoadedModel& loaded) {
         loaded.scheduled = true;
         loaded.model->kind = prism::ModelKind::dtmc;
     } else if (options.sampling) {
-        throw UsageError("--sim: the model is an mdp, and paths depend on who chooses: add --scheduler uniform");
+        throw UsageError("--sim: the model is an mdp, and paths depend on its scheduler: add --scheduler uniform");
     }
 }
 

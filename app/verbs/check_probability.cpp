@@ -222,7 +222,7 @@ ProbabilityClaims::ProbabilityClaims(Project& project, const Options& options, R
     if (claims.empty()) return;
     const std::string scheduler = options.scheduler.empty() ? "any" : options.scheduler;
     if (options.encoding == "robotool" && scheduler != "any")
-        throw UsageError("--scheduler is about decision processes: RoboTool's encoding has no choices");
+        throw UsageError("--scheduler does not apply to RoboTool's encoding, which has no choices");
     impl_->first = report.assertions.size();
     const auto edit = options.run->edit();
     for (const Claim& claim : claims) {

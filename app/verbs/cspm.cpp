@@ -398,7 +398,7 @@ void show_findings(const LoadedScript& loaded, const Options& options) {
 
 Exit run_cspm(const Options& options) {
     if ((options.typecheck || options.types) && is_asked_for(options, Format::junit))
-        throw UsageError("--format junit is about assertions: of types there are text and json");
+        throw UsageError("--format junit does not support types; use text or json");
     if (options.typecheck || options.types) return check_types(options);
     if (!options.exported.empty()) return export_process(options);
     const auto known = std::make_shared<Known>();

@@ -154,7 +154,8 @@ private:
         }
         const bool binary = options_.picture == "png" || options_.picture == "pdf";
         if (binary && output_is_a_terminal())
-            throw UsageError(fmt::format("a terminal shows no {}; --out FILE writes it to a file", options_.picture));
+            throw UsageError(
+                fmt::format("a terminal cannot show {}; write it to a file with --out FILE", options_.picture));
         print_exact(*text);
         return true;
     }

@@ -235,7 +235,7 @@ bool write_rule_monitor(const std::string& file, Project& output, const Options&
 
 bool write_rule_monitors(const Options& options, Report& report) {
     if (!options.component.empty() || options.cycle_given || !options.print.empty())
-        throw UsageError("--component, --cycle and --print are about models, not about rules");
+        throw UsageError("--component, --cycle and --print apply to models, not to rules");
     Project output;
     output.diagnostics.within(&options.run->budget());
     bool written = true;

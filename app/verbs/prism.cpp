@@ -277,13 +277,13 @@ private:
 
     /// Exports the state space, or the result for one property.
     Exit export_result(const Experiment& wanted) {
-        if (options_.sampling) throw UsageError("--export explores the model, --sim does not: give one of them");
+        if (options_.sampling) throw UsageError("--export and --sim exclude each other");
         const std::string& format = options_.exported_space;
         const bool of_property = format == "strategy" || format == "counterexample";
         if (wanted.of_model.size() != 1 || (of_property && wanted.of_properties.size() != 1))
-            throw UsageError("--export writes one model: give each constant one value");
+            throw UsageError("--export needs one value for each constant");
         if (of_property && loaded_.properties.properties.size() != 1)
-            throw UsageError("--export " + format + " is about one property: give one");
+            throw UsageError("--export " + format + " needs exactly one property");
         std::string nothing;
         try {
             const diagnostics::Budget::Phase phase(options_.run->budget(), "exploring " + options_.inputs.front());

@@ -274,7 +274,7 @@ Exit run_rules(const Options& options) {
     report->as_sleec_tk = options.as_sleec_tk;
     if (options.inputs.size() > 1) report->model = options.inputs[1];
     if (options.as_sleec_tk && !report->model.empty())
-        throw UsageError("--as-sleec-tk compares rules; with a model they are taken as they are written");
+        throw UsageError("--as-sleec-tk does not apply to a check of a model");
     report->without_limit = options.without_limit;
     options.run->last_word([report, &options](const std::string& why) {
         report->limit = why;

@@ -434,12 +434,12 @@ Options with_guarding_rules(Options options) {
     const auto is_rules = [](const std::string& input) { return input.ends_with(".sleec"); };
     for (const std::string& input : options.inputs) {
         if (!is_rules(input)) continue;
-        if (!options.monitor) throw UsageError("rules guard trials with --monitor: it is not given");
+        if (!options.monitor) throw UsageError("RULES.sleec needs --monitor");
         if (!options.guarding_rules.empty()) throw UsageError("--monitor takes one file of rules");
         options.guarding_rules = input;
     }
     std::erase_if(options.inputs, is_rules);
-    if (options.inputs.empty()) throw UsageError("simulate what? a scenario is wanted");
+    if (options.inputs.empty()) throw UsageError("simulate needs a scenario");
     return options;
 }
 

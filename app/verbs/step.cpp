@@ -114,7 +114,7 @@ std::optional<std::size_t> Console::number(const std::string& word, std::size_t 
     std::size_t value = 0;
     const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (code == std::errc() && end == word.data() + word.size() && value <= 1'000'000) return value;
-    wrong(fmt::format("{}: a whole number is wanted, at most 1000000", word));
+    wrong(fmt::format("{}: expected a whole number, at most 1000000", word));
     return std::nullopt;
 }
 
@@ -446,7 +446,7 @@ Exit step_component(const Options& options) {
 }
 
 Exit step_script(const Options& options) {
-    if (options.inputs.size() < 2) throw UsageError("which process of the script? `step FILE.csp PROCESS`");
+    if (options.inputs.size() < 2) throw UsageError("step needs a process of the script: `step FILE.csp PROCESS`");
     LoadedScript loaded;
     loaded.diagnostics.within(&options.run->budget());
     load_script(options.inputs.front(), loaded);

@@ -631,10 +631,9 @@ Exit run_verb(const Options& given, Report& report, std::vector<Part>& parts) {
     Options options = given.verb == Verb::emit_prism ? with_buffers(given) : given;
     parts = load_parts(options);
     if (!options.print.empty()) return print_phases(parts, options);
-    if (!options.mapping.empty() && options.target != "ros2")
-        throw UsageError("--mapping is about messages of ROS 2: it needs --target ros2");
+    if (!options.mapping.empty() && options.target != "ros2") throw UsageError("--mapping needs --target ros2");
     if (!options.traces.empty() && is_asked_for(options, Format::junit))
-        throw UsageError("--format junit is about generated code: of logs (--traces) there are text and json");
+        throw UsageError("--format junit does not support --traces; use text or json");
     if (!options.traces.empty()) return compare_traces(parts, options, report);
     if (const Project* const stopped = hopeless(parts, options)) return refuse(*stopped, parts, options, report);
     return run_parts(parts, options, report);

@@ -78,7 +78,7 @@ TEST(Cli, WarningsCanBeLeftOutOrDenied) {
     for (const char* code : {"RC-N01", "nonsense"}) {
         const Ran wrong = with({"--allow", code});
         EXPECT_EQ(wrong.exit, 4) << wrong.err;
-        EXPECT_THAT(wrong.err, HasSubstr("is no code of a warning"));
+        EXPECT_THAT(wrong.err, HasSubstr("is not the code of a warning"));
     }
 }
 

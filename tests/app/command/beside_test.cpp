@@ -84,7 +84,7 @@ TEST(Beside, AreWrittenWhereALimitEndsTheRun) {
 TEST(Beside, OneFileTakesOneFormat) {
     const Ran ran = gate("check gate --json r --sarif r");
     EXPECT_EQ(ran.exit, 4);
-    EXPECT_THAT(ran.err, HasSubstr("r is to get the answer in two formats"));
+    EXPECT_THAT(ran.err, HasSubstr("r is given for two output formats"));
 }
 
 TEST(Beside, WhatCannotBeWrittenIsAnError) {

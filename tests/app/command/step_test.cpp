@@ -103,7 +103,7 @@ TEST(Step, ReportsWrongCommands) {
     EXPECT_EQ(ran.exit, 1);
     for (const std::string text :
          {"there is no offer 17", "there is no choice to go back from", "the way has only ",
-          "-1: a whole number is wanted", "until what?", "no command 'randm'; did you mean 'random'?",
+          "-1: expected a whole number", "until what?", "no command 'randm'; did you mean 'random'?",
           "way.txt: what is saved is a log, FILE.trace, or an assertion, FILE.assertions", "/proc/way.trace",
           "m.assertions is there already, and stays as it is"})
         EXPECT_THAT(ran.err, HasSubstr(text));
