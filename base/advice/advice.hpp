@@ -11,7 +11,7 @@ namespace robochart::diagnostics {
 
 /// A row of a language's table: a mistake of authors who know another notation, and what to write instead.
 struct Advice {
-    std::string_view expected;  ///< what the parser expected, in the words of its message; "": anything
+    std::string_view expected;  ///< what the parser expected, in the words of its message; "" matches every expectation
     /// The tokens around the place, separated by blanks. `@` marks the place; the token after it is the one that was
     /// found. `NAME` is any name that is not reserved, `NUMBER` a number, `TEXT` a string, `END` the end of the text.
     std::string_view words;

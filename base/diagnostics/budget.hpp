@@ -49,8 +49,8 @@ public:
     /// every 16th call, and in every call after a limit was reached. Throws LimitReached.
     void poll() {
         const std::uint32_t calls = calls_.load(std::memory_order_relaxed) + 1;
-        calls_.store(calls, std::memory_order_relaxed);  // calls of other threads may be lost; only the frequency
-                                                         // changes
+        calls_.store(calls, std::memory_order_relaxed);  // a call of another thread may not be counted; then the limits
+                                                         // are checked less often
         if (stopped_.load(std::memory_order_relaxed) || (calls & 15U) == 0) check();
     }
     /// Checks the limits now. Throws LimitReached.

@@ -32,10 +32,10 @@ private:
     std::string text_;
 };
 
-/// For people, in a terminal or a report: control characters, invisible characters, line ends and bytes that are not
-/// UTF-8 are written as "\n", "\x1b" or "\u202e".
+/// Text for a terminal or a report: control characters, invisible characters, line ends and bytes that are not UTF-8
+/// become escapes such as "\n", "\x1b" or "\u202e".
 [[nodiscard]] std::string shown(const ForeignText&);
-/// The same, but line ends and tabulators are kept.
+/// Text of several lines for a terminal or a report: escaped as above, but line ends and tabulators are kept.
 [[nodiscard]] std::string shown_lines(const ForeignText&);
 
 /// Text in a comment of C++, CMake or Python that ends with its line: one line that is not continued.
@@ -52,7 +52,7 @@ private:
 /// Character data, an attribute value or a comment of XML 1.0 (also SVG). Characters that XML does not allow are shown
 /// as escapes.
 [[nodiscard]] std::string xml_text(const ForeignText&);
-/// The same for character data of several lines: line ends are kept.
+/// Character data of several lines for XML: escaped as above, but line ends are kept.
 [[nodiscard]] std::string xml_lines(const ForeignText&);
 
 /// Text between the double quotes of a Graphviz label or of an event in Aldebaran's format.

@@ -30,8 +30,9 @@ struct FilesBelow {
 /// Returns the cause in words on failure, "" on success.
 [[nodiscard]] std::string write_below(const std::string& root, const std::string& relative, std::string_view text,
                                       Budget* budget = nullptr);
-/// The same for a complete path given by the user. A link to a file is kept, and the file that it points to is
-/// replaced. The permissions of an existing file are kept, and the new file is on disk before the old one is removed.
+/// Writes a file at a path given by the user. If the path is a link to a file, the link stays, and the file that it
+/// points to is replaced. The permissions of an existing file are kept, and the new file is on disk before the old one
+/// is removed.
 [[nodiscard]] std::string replace_file(const std::string& path, std::string_view text, Budget* budget = nullptr);
 /// True if the name is one that these two functions give to an incomplete file; such a file stays if the run is killed.
 [[nodiscard]] bool is_unfinished(const std::string& name);

@@ -31,7 +31,7 @@ struct TextStyle {
 [[nodiscard]] std::string render_json(const SourceManager&, const Diagnostics&, std::string_view limit = "");
 /// Data of a SARIF log in addition to the findings.
 struct SarifRules {
-    std::string version;                            ///< of the program
+    std::string version;                            ///< the version of the program
     std::string what;                               ///< verb and input
     std::function<std::string(const Rule&)> title;  ///< the mistake, as a phrase
     std::string limit = {};                         ///< why the check is incomplete; "" if it is complete

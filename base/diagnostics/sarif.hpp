@@ -26,7 +26,7 @@ namespace robochart::diagnostics {
 /// One run of the program.
 struct SarifRun {
     std::string version;
-    std::string what;  ///< verb and input; of two logs with the same, only the later is kept
+    std::string what;  ///< verb and input; if two logs agree in it, readers keep only the later one
     Json rules = Json::array();
     Json results = Json::array();
     Json notifications = Json::array();  ///< findings without a place, which are not results

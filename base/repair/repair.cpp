@@ -158,8 +158,8 @@ private:
         }
     }
 
-    /// A fix may uncover another mistake that can be fixed. Tries each refused fix together with the fixes that it
-    /// uncovers.
+    /// A fix may uncover another mistake that can be fixed. Therefore, each refused fix is tried together with the
+    /// fixes that it uncovers.
     bool with_what_follows() {
         for (const Candidate& first : refused_) {
             constexpr int most_steps = 4;

@@ -44,7 +44,7 @@ private:
 
     std::function<void(unsigned)> work_;
     std::function<void()> stop_;
-    std::vector<std::exception_ptr> errors_;  ///< by number; each thread writes its own before it returns
+    std::vector<std::exception_ptr> errors_;  ///< one per thread, which writes it before it returns
     std::mutex mutex_;                        ///< protects the members below
     std::condition_variable changed_;
     unsigned working_ = 0;
@@ -58,8 +58,8 @@ void in_parallel(std::size_t count, unsigned threads,
                  const std::function<void(std::size_t number, unsigned thread)>& work);
 
 /// Calls `work` in `threads` threads. Meanwhile calls `watch` in the caller's thread, ten times a second and once at
-/// the end. If one of these throws, or a thread cannot be started, `stop` makes the threads return, and the exception
-/// is then thrown.
+/// the end. If `work` or `watch` throws, or a thread cannot be started, `stop` makes the threads return, and the
+/// exception is then passed to the caller.
 void in_parallel_watched(unsigned threads, const std::function<void()>& work, const std::function<void()>& stop,
                          const std::function<void()>& watch);
 
