@@ -72,7 +72,7 @@ double signed_rank(const std::vector<double>& differences) {
     const std::size_t all = std::accumulate(doubled.begin(), doubled.end(), std::size_t{0});
     std::size_t seen = 0;
     for (std::size_t i = 0; i < doubled.size(); ++i) seen += positive[i] ? doubled[i] : 0;
-    std::vector<double> chances(all + 1);  // of each sum, if all signs are equally likely
+    std::vector<double> chances(all + 1);  // the probability of each sum
     chances[0] = 1;
     std::size_t most = 0;
     for (const std::size_t rank : doubled) {

@@ -140,7 +140,7 @@ double order_triples(const Permitted& permitted) {
 std::optional<OrderContradiction> order_contradiction(const std::vector<StateSequence>& sequences,
                                                       const Permitted& permitted, double error,
                                                       const std::function<void()>& poll) {
-    std::map<std::size_t, std::map<std::size_t, PairVisits>> pairs;  // by the middle state, then by the state before it
+    std::map<std::size_t, std::map<std::size_t, PairVisits>> pairs;  // by middle state, then by the state before it
     for (const StateSequence& each : sequences)
         for (std::size_t at = 2; at < each.size(); ++at) pairs[each[at - 1]][each[at - 2]].add(each[at]);
     KnownIntervals intervals(TransitionCounts::looks(error / order_triples(permitted)));

@@ -34,7 +34,7 @@ public:
     [[nodiscard]] std::uint64_t looked(std::size_t from, std::size_t to) const { return looked_[from * states_ + to]; }
     /// The number of visits at the last look of `looks()`; 0 before the first look.
     [[nodiscard]] std::uint64_t looked(std::size_t from) const { return looked_visits_[from]; }
-    /// The looks, which share the error.
+    /// The looks at a state; together they use this error.
     [[nodiscard]] static Looks looks(double error) { return {~std::uint64_t{0}, error}; }
 
 private:
@@ -45,7 +45,7 @@ private:
 
 /// The transitions that a model permits, as `[from][to]`.
 using Permitted = std::vector<std::vector<bool>>;
-/// All transitions.
+/// Permits every transition.
 [[nodiscard]] Permitted all_permitted(std::size_t states);
 
 /// Intervals for the probabilities of all permitted transitions. The chance that any of them misses the chain is at

@@ -18,7 +18,8 @@ struct Duration {
     bool came = false;
 };
 
-/// From this time on, the estimated fraction of trials in which the event has not occurred.
+/// A step of the survival curve: from this time on, the estimated fraction of trials in which the event has not
+/// occurred.
 struct SurvivalStep {
     double time = 0;
     double share = 1;
