@@ -21,7 +21,7 @@ public:
 
     /// The copy that performs an event of the whole process, by the event's name there.
     [[nodiscard]] std::optional<std::uint32_t> of_event(const std::string& name) const;
-    /// The action of the copy, if the component's own events do not show it; no value otherwise.
+    /// What the copy does, in words, if the component's own events do not show it; no value otherwise.
     [[nodiscard]] std::optional<std::string> words(const std::string& name) const;
     /// `of_model`: for each leaf, whether it is in definitions of the model. Every copy has the same number of leaves,
     /// in the order of the copies.

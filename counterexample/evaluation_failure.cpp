@@ -16,8 +16,8 @@
 namespace robochart::runs {
 namespace {
 
-/// "; the constant speed has no value in the model and is 0 (--const speed=1 gives it one)" if a divisor contains it;
-/// otherwise "".
+/// The remark "; the constant speed has no value in the model and is 0 (--const speed=1 gives it one)" if a divisor
+/// contains such a constant; otherwise "".
 std::string open_constants(const cspm::EvaluationError& error, const ir::System& system) {
     if (std::string_view(error.what()).find("by zero") == std::string_view::npos) return "";
     const std::vector<std::string> names = ir::open_divisors(system, error.span);
@@ -30,7 +30,7 @@ std::string open_constants(const cspm::EvaluationError& error, const ir::System&
                        one ? "it one" : "them one");
 }
 
-/// The first argument of a call "f(<1, 2>, 3)", a sequence; "" if it is something else.
+/// The first argument of a call such as "f(<1, 2>, 3)" if it is a sequence; otherwise "".
 std::string_view sequence_in(std::string_view call) {
     const std::size_t begin = call.find('(') + 1;
     std::size_t depth = 0;
@@ -42,7 +42,7 @@ std::string_view sequence_in(std::string_view call) {
     return "";
 }
 
-/// The last argument of such a call, if it is a number.
+/// The last argument of such a call if it is a number; otherwise no value.
 std::optional<std::string_view> number_in(std::string_view call) {
     const std::size_t before = call.rfind(", ");
     if (before == std::string_view::npos || !call.ends_with(')')) return std::nullopt;
@@ -51,11 +51,11 @@ std::optional<std::string_view> number_in(std::string_view call) {
     return number;
 }
 
-/// Errors keep so many calls (Work::fail).
+/// The number of calls that an error records (Work::fail).
 constexpr std::size_t longest_stack = 30;
 
-/// Where a function of the scripts' library looks for an element that a sequence does not have: "the sequence <1, 2>
-/// has no element 3"; "" elsewhere. The function calls itself with the rest of the sequence.
+/// The message "the sequence <1, 2> has no element 3" if a function of the scripts' library failed because it looked
+/// for a missing element; "" for any other error. The function calls itself with the rest of the sequence.
 std::string missing_element(const cspm::EvaluationError& error) {
     for (const std::string_view function : {"access_", "update_"}) {
         if (!std::string_view(error.what()).starts_with(fmt::format("no clause of '{}'", function))) continue;

@@ -13,7 +13,7 @@ namespace robochart::runs {
 
 /// The error and the element of the model that contains it: "division by zero, in P::S::t1".
 [[nodiscard]] std::string failure(const cspm::EvaluationError&, const ir::System&);
-/// The same after its place: "m.rct:8:62: division by zero, in P::S::t1".
+/// The error and the element, with their place in front: "m.rct:8:62: division by zero, in P::S::t1".
 [[nodiscard]] std::string placed_failure(const cspm::EvaluationError&, const ir::System&,
                                          const diagnostics::SourceManager&);
 

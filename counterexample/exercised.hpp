@@ -19,7 +19,7 @@ struct Exercised {
     /// Elements (see element_in) that may cause a step. If a step has several candidates, all of them are included. An
     /// element that is missing here causes no step.
     std::set<std::string> possible;
-    /// Those of them that are the only candidate of some step.
+    /// The elements in `possible` that are the only candidate of some step.
     std::set<std::string> certain;
     std::uint64_t states = 0;  ///< number of explored states
     bool all = true;           ///< every reachable state was explored

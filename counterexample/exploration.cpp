@@ -109,7 +109,7 @@ private:
     Table<Machine> machines_{result_.machines};
     Table<Absence> absences_{result_.absences};
     Table<Exploration::Part> parts_{result_.parts};
-    std::vector<process::TermId> found_;  ///< in the order of exploration
+    std::vector<process::TermId> found_;  ///< the states in the order in which they were found
     std::map<process::TermId, std::size_t> numbers_;
     std::size_t transitions_ = 0;
 };

@@ -20,7 +20,7 @@ struct Exploration {
     /// An offer without the states that it connects.
     struct Label {
         Happening happening;
-        std::string name;  ///< as in Offer
+        std::string name;  ///< the name of the event, as in Offer
         bool hidden = false;
 
         friend auto operator<=>(const Label&, const Label&) = default;
@@ -32,7 +32,7 @@ struct Exploration {
     /// A part of the structure of a process: an operator with its operands, or a component.
     struct Part {
         std::string text;                ///< part_text() of structure.hpp
-        std::string offers;              ///< for a component: offers_text()
+        std::string offers;              ///< offers_text() of a component; "" for an operator
         std::vector<std::size_t> parts;  ///< operands of an operator
 
         friend auto operator<=>(const Part&, const Part&) = default;

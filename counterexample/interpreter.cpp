@@ -89,7 +89,7 @@ private:
     StepReader reader_;
     Copies copies_;
     std::size_t described_ = 0;     ///< the largest number of definitions in the text of a state
-    std::size_t before_first_ = 0;  ///< raw events before the first step, which belong to it
+    std::size_t before_first_ = 0;  ///< number of raw events before the first step; they are shown as part of it
     Run run_;
     std::map<TermId, std::vector<std::pair<process::Transition, Event>>> offers_;
     std::size_t looked_at_ = 0;

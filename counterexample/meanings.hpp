@@ -34,8 +34,8 @@ public:
     [[nodiscard]] bool is_memory(const std::string& name) const;
     /// The event with this full name. An unknown event keeps its name and has Kind::event.
     [[nodiscard]] Event event(const std::string& name) const;
-    /// The same for an event performed in this definition; the transition or statement is added if only one is
-    /// possible.
+    /// The event as performed in the definition `before`. The transition or statement that causes it is added if only
+    /// one is possible.
     [[nodiscard]] Event event(const std::string& name, const Call& before, const std::vector<Call>& after) const;
     /// The candidates (transitions and statements) for the cause of the event; more than one if the definitions do not
     /// determine it.

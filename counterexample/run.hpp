@@ -77,7 +77,7 @@ struct Variable {
     std::string type;                  ///< "" if it has none
     std::optional<std::string> value;  ///< no value: it is no longer read
     std::string deadline;              ///< countdown of a deadline: the element with the deadline
-    std::optional<Place> place;        ///< of that deadline
+    std::optional<Place> place;        ///< the place of that deadline
 
     friend auto operator<=>(const Variable&, const Variable&) = default;
 };
@@ -89,7 +89,7 @@ struct Machine {
     std::string text;                 ///< "in S1", "entry action of S1, at x = 1"
     std::vector<std::string> active;  ///< the elements of its active states, outermost first
     std::vector<Variable> variables;
-    std::optional<Place> place;  ///< of the innermost state, or of the next statement
+    std::optional<Place> place;  ///< the place of the innermost state or of the next statement
 
     friend auto operator<=>(const Machine&, const Machine&) = default;
 };

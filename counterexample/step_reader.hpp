@@ -32,7 +32,7 @@ struct Context {
 
 /// The step of one sequential component.
 struct ComponentStep {
-    std::string name;  ///< of the event in the component; for an event that the component hides, the hidden event
+    std::string name;          ///< the name of the event in the component, also if the component hides it
     std::vector<Call> before;  ///< the definitions before the step
     std::vector<Call> after;
 };
@@ -84,7 +84,7 @@ public:
     /// Selects the component, of several that move together, for which a step is reported: a machine before
     /// connections, and the acting component before the others. `whole`: the name of the event for the whole process.
     [[nodiscard]] Happening happens(const std::vector<ComponentStep>& steps, const std::string& whole) const;
-    /// The same for a step of a process.
+    /// Describes a step of a whole process in the same way.
     [[nodiscard]] Happening happens(process::TermId whole, const process::Transition& step);
 
 private:

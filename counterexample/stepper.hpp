@@ -23,7 +23,7 @@ namespace robochart::runs {
 struct Offer {
     process::Transition step;
     Happening happening;
-    std::string name;     ///< of the event; for a hidden step, the name of the hidden event
+    std::string name;     ///< the name of the event, also if it is hidden
     bool hidden = false;  ///< invisible to the environment
 };
 

@@ -43,7 +43,7 @@ private:
 
     const Run& run_;
     std::string_view indent_;
-    std::map<std::string, std::string> short_names_;  ///< of machines, if there are several
+    std::map<std::string, std::string> short_names_;  ///< short names of the machines, if there are several
     std::string out_;
 };
 

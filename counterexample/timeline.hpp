@@ -15,15 +15,14 @@ using Leaf = std::size_t;
 
 struct Mover {
     Leaf leaf = 0;
-    process::Event event = process::tau;  ///< its own; for an event that it hides, the hidden event
+    process::Event event = process::tau;  ///< the event of the component, also if the component hides it
 };
 
 struct Moment {
-    std::size_t raw = 0;  ///< the step of the run that it is or, for a hidden step, the next one
+    std::size_t raw = 0;  ///< the step's number in the run; for a hidden step, that of the next visible step
     bool shown = true;    ///< false: a step inside a compressed process
     std::vector<Mover> movers;
-    std::vector<std::optional<process::TermId>> leaves;  ///< the state of each leaf after it; no value: the leaf does
-                                                         ///< not exist
+    std::vector<std::optional<process::TermId>> leaves;  ///< each leaf's state afterwards; no value if it is absent
 };
 
 struct Timeline {
