@@ -218,8 +218,8 @@ void check_call(const Caller& caller, const Stmt& call, const Machine& operation
     }
 }
 
-/// The same checks for an operation that is required but never called. A mistake is less severe here, because the
-/// operation is not used yet.
+/// Checks an operation that is required but never called, like one that is called. A mistake is less severe here,
+/// because the operation is not used yet.
 void check_required(const Caller& caller, const OperationSignature& wanted, const Machine& operation,
                     Diagnostics& out) {
     const Lack lack = lack_of(caller, operation);

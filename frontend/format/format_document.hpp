@@ -42,7 +42,7 @@ public:
     [[nodiscard]] Doc raw() const { return raw_; }                ///< a line end without indentation
     Doc cat(Doc a, Doc b);
     Doc cat(std::initializer_list<Doc> docs);
-    Doc nest(Doc inner);  ///< one tab further in
+    Doc nest(Doc inner);  ///< the contents are indented by one more tab
     Doc group(Doc inner, std::uint16_t limit = line_limit);
     /// Removes all nodes except the constant ones.
     void clear();
@@ -55,7 +55,7 @@ private:
         bool breaks = false;      ///< contains a possible line break
         std::uint16_t flat = 0;   ///< columns on one line; `endless` if it cannot be one line
         std::uint16_t lead = 0;   ///< columns before the first possible line break
-        std::uint16_t limit = 0;  ///< for groups
+        std::uint16_t limit = 0;  ///< the last column that a group may use on one line
         Doc a = 0;
         Doc b = 0;
         std::string_view text;

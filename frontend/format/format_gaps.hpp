@@ -23,7 +23,7 @@ enum class Gap : std::uint8_t {
     blank,   ///< a blank
     soft,    ///< no text, or a line end if the group breaks
     line,    ///< a blank, or a line end if the group breaks
-    open,    ///< the same after an opening brace
+    open,    ///< a blank, or a line end if the group breaks; after an opening brace
     first,   ///< a line end after an opening brace
     member,  ///< a line end; an empty line is kept
     block,   ///< a line end and an empty line

@@ -27,7 +27,7 @@ public:
     // The next tokens
     [[nodiscard]] Token peek(std::size_t ahead = 0) const;
     [[nodiscard]] bool at(std::string_view word) const { return peek().is(word); }
-    /// The same for keywords that may be names elsewhere.
+    /// True if the next token is this word. The word may be a keyword here and a name elsewhere.
     [[nodiscard]] bool at_word(std::string_view word, std::size_t ahead = 0) const;
     [[nodiscard]] bool at_name() const { return peek().kind == TokenKind::identifier; }
     [[nodiscard]] bool at_end() const { return peek().kind == TokenKind::end; }

@@ -280,7 +280,7 @@ Formula Reasoner::read_comparison(const Expr& expr) {
     return found ? std::move(*found) : opaque(to_text(expr), false);
 }
 
-/// a <= value <= b, or < at an open end of the range.
+/// The formula a <= value <= b, with < at an open end of the range.
 Formula Reasoner::range_membership(const Expr& value, const Expr& range, const Expr& whole) {
     const auto relation = [](bool closed) { return closed ? Relation::less_equal : Relation::less; };
     auto above = linear_atom(*range.args[0], value, relation(range.lower_closed), to_text(whole));

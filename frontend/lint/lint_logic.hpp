@@ -86,7 +86,7 @@ private:
         bool reversed = false;  ///< key > bound, key >= bound
         double bound = 0;
         std::size_t literal = 0;
-        std::string text;  ///< for messages
+        std::string text;  ///< the text of the condition in messages
     };
 
     Formula read_binary(const Expr& expr);

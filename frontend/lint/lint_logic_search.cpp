@@ -31,10 +31,10 @@ double inside(double low, double high, bool integer) {
     if (low == -infinity) return std::ceil(high) - 1;
     const double next = std::floor(low) + 1;
     if (high == infinity || next < high) return next;
-    return integer ? high : (low + high) / 2;  // high, because no integer is between them
+    return integer ? high : (low + high) / 2;  // no integer is strictly between `low` and `high`
 }
 
-/// sum of coefficient * term (<, <=) bound
+/// A constraint on a sum: the sum of coefficient * term is < or <= bound.
 struct Constraint {
     std::map<std::string, double> terms;
     double bound = 0;

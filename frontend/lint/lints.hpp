@@ -22,8 +22,8 @@ using diagnostics::Diagnostics;
 /// project without errors.
 void lint(const Model& model, const Names& names, Diagnostics& out);
 
-// The same, one file at a time, then the project. `written_by` contains the variables that the operations of a name
-// write.
+// All warnings in two steps: first those of each file, then those of the project. `written_by` contains the variables
+// that the operations of a name write.
 using WrittenBy = std::unordered_map<std::string, std::unordered_set<std::string>>;
 [[nodiscard]] WrittenBy variables_written_by_operations(const Model& model);
 [[nodiscard]] bool may_lint(const File& file, const Diagnostics& out);

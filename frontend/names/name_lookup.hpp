@@ -31,7 +31,7 @@ public:
     }
     /// Simple names of these kinds, for suggestions; empty if there are so many errors that no suggestion is shown.
     [[nodiscard]] std::vector<std::string> candidates(const Kinds& kinds) const;
-    /// The keys of a scope's table; empty in the same case.
+    /// The keys of a scope's table, for suggestions; empty if there are so many errors that no suggestion is shown.
     template <class Map>
     [[nodiscard]] std::vector<std::string> keys(const Map& map) const {
         std::vector<std::string> result;

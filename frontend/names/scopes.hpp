@@ -28,7 +28,7 @@ struct Scope {
 [[nodiscard]] bool has_unknown_interface(const Context& context);
 /// The definition that a reference refers to, or null if it was not found. Other declarations are returned unchanged.
 [[nodiscard]] const Declaration* follow(const Declaration* declaration);
-/// The same, if it has the requested kind; otherwise null.
+/// The definition that a reference refers to, if it has the requested kind; otherwise null.
 template <class Kind>
 [[nodiscard]] const Kind* followed(const Declaration* declaration) {
     return dynamic_cast<const Kind*>(follow(declaration));

@@ -54,7 +54,7 @@ public:
         return best;
     }
 
-    /// The same if the target of the last part is known.
+    /// The declaration of each part, if the target of the last part is known.
     [[nodiscard]] std::vector<Part> parts(const Place& place, const QualifiedName& name,
                                           const Declaration& target) const {
         std::vector<Part> result(name.parts.size());

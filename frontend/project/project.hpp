@@ -32,11 +32,11 @@ void update_toolkits(diagnostics::SourceManager&, Model&, diagnostics::Diagnosti
 [[nodiscard]] std::unique_ptr<Model> load_project(diagnostics::SourceManager&, const std::string& path,
                                                   diagnostics::Diagnostics&);
 
-/// The same for several inputs that form one project: the union of their files.
+/// Loads several inputs as one project, which contains the files of all inputs.
 [[nodiscard]] std::unique_ptr<Model> load_project(diagnostics::SourceManager&, const std::vector<std::string>& paths,
                                                   diagnostics::Diagnostics&);
 
-/// The same for exactly these files, whose texts are given.
+/// Loads exactly these texts as a project, without looking for further files.
 [[nodiscard]] std::unique_ptr<Model> load_texts(diagnostics::SourceManager&,
                                                 const std::vector<diagnostics::SourceId>& texts,
                                                 diagnostics::Diagnostics&);

@@ -11,7 +11,7 @@ public:
     Resolver(Model& model, Finder& finder) : model_(model), finder_(finder), typer_(finder) {}
     void run();
 
-    // The same in steps: the headers of all files, then the bodies, then the assertions.
+    // Resolution in steps: first the headers of all files, then the bodies, then the assertions.
     void headers(File& file) { each(file, &Resolver::header); }
     void bodies(File& file) { each(file, &Resolver::body); }
     void assertions();

@@ -52,7 +52,7 @@ using ExprPtr = std::unique_ptr<Expr>;
 struct TypeExpr {
     TypeKind kind = TypeKind::name;
     Span span;
-    QualifiedName name;                           ///< for name, variable
+    QualifiedName name;                           ///< the name, for the kinds `name` and `variable`
     std::vector<std::unique_ptr<TypeExpr>> args;  ///< operand types in order
     std::vector<ExprPtr> sizes;                   ///< vector: 1, matrix: 2
     const Declaration* target = nullptr;          ///< filled by resolve
@@ -100,9 +100,9 @@ enum class ExprKind {
     since_entry,    ///< sinceEntry(name): State
     parenthesised,  ///< ( args[0] ) kept for the printer
     // Only in probabilistic assertions.
-    path,         ///< path formula: `path`; args[0] optional bound on the steps with its relation `text`, else operands
+    path,  ///< path formula: `path`; args[0] optional bound on the steps with its relation `text`, otherwise operands
     probability,  ///< Prob `text` args[1] of [args[0]]; without args[1] a query (`=?`); args[2] optional simulation
-    reward,       ///< Reward {name} `text` args[1] of [args[0]], likewise
+    reward,       ///< Reward {name} `text` args[1] of [args[0]]; args[1] and args[2] as for Prob
     all_paths,
     some_path,   ///< Forall [args[0]], Exists [args[0]]
     in_state,    ///< name is in args[0]
@@ -146,7 +146,7 @@ struct Expr {
     ExprKind kind = ExprKind::error;
     Span span;
     std::string text;    ///< literal as written; member name
-    QualifiedName name;  ///< member: the field's name and its place
+    QualifiedName name;  ///< the name of a member is a field's name
     std::optional<BinaryOp> binary;
     std::optional<UnaryOp> unary;
     std::optional<PathOp> path;
@@ -157,7 +157,7 @@ struct Expr {
     bool lower_closed = true;  ///< range
     bool upper_closed = true;
     std::size_t columns = 0;   ///< matrix
-    std::uint32_t height = 1;  ///< of this tree; the parser bounds it, so recursion is safe
+    std::uint32_t height = 1;  ///< the height of this tree; the parser bounds it, so recursion is safe
 
     const Declaration* target = nullptr;  ///< filled by resolve
     TypePtr type;                         ///< filled by typing; null if it could not be computed
@@ -248,7 +248,7 @@ enum class DeclKind {
     junction,
     probabilistic,
     transition,
-    bound_variable,  ///< of a quantifier, let, lambda or comprehension
+    bound_variable,  ///< bound by a quantifier, let, lambda or comprehension
 };
 
 /// The common fields of everything that has a name and that other elements can refer to.
@@ -454,7 +454,7 @@ enum class AssertionKind {
     reachable,
     clock_initialised,
     event_missed,
-    conforms,  ///< to a SLEEC rule
+    conforms,  ///< the component conforms to a SLEEC rule
 };
 /// The semantics in which an assertion is decided.
 enum class AssertionTime { both, timed, untimed };
@@ -580,8 +580,8 @@ struct ProbabilisticDefinition {
     ProbabilisticKind kind = ProbabilisticKind::constant;
     std::string name;
     Span name_span, span;
-    VariablePtr constant;  ///< for `const t : T`
-    ExprPtr value;         ///< for label, formula
+    VariablePtr constant;  ///< the constant of `const t : T`
+    ExprPtr value;         ///< the expression of a label or a formula
     std::vector<ConstantValues> constants;
     std::vector<RewardItem> rewards;
     std::vector<ProbabilisticFunction> functions;
@@ -619,7 +619,7 @@ struct ProbabilisticAssertion {
 struct KeptPart {
     std::string form;  ///< the words at its beginning: `prob property`, `sleec assertion`, `defs`
     std::string name;
-    Span span;            ///< of the form and the name
+    Span span;            ///< the place of the form and the name
     bool claims = false;  ///< true: another tool checks a claim; false: a definition for probabilistic assertions
     std::string text;     ///< the whole text
     Span whole;
@@ -628,7 +628,7 @@ struct KeptPart {
 /// A parsed `.rct` or `.assertions` file.
 struct File {
     diagnostics::SourceId source = diagnostics::SourceId::none;
-    std::string folder;     ///< of the file, from the root, with "/" at the end
+    std::string folder;     ///< the folder of the file, from the root, with "/" at the end
     QualifiedName package;  ///< empty: unnamed package
     std::vector<Import> imports;
     std::vector<std::string> diagrams;

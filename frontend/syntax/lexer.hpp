@@ -91,7 +91,7 @@ private:
         TokenKind kind;
         bool escaped : 1;
         bool first_on_line : 1;
-        std::uint16_t word;  ///< of a corrected token: its index in the table of words, from 1
+        std::uint16_t word;  ///< the index, from 1, of a corrected token in the table of words
     };
     static_assert(sizeof(Packed) == 12);
 

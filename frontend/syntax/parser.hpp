@@ -88,7 +88,7 @@ private:
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
     [[noreturn]] void too_deep(std::size_t limit);
     [[noreturn]] void expected(std::string_view what);
-    /// The same, but parsing continues as if the token were present. A second failure in a row is thrown.
+    /// Reports a missing token; parsing continues as if the token were present. A second failure in a row is thrown.
     diagnostics::Diagnostic* missing(std::string_view what);
     [[nodiscard]] Span missing_place() const;
     void needs_parentheses(std::string_view what, Span span);
@@ -115,7 +115,7 @@ private:
     void pass_superfluous(std::string_view reason);
     /// Skips `:` or `=` after the word that begins a clause or an action.
     void pass_sign_behind_word();
-    /// The same for two consecutive words.
+    /// Reports two consecutive words of another notation, and reads them as `instead`.
     void replace_two_words(std::string_view instead, std::string_view reason);
     [[nodiscard]] bool state_machine_words();
     [[nodiscard]] bool typed_like_c();

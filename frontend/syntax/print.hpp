@@ -27,7 +27,7 @@ namespace robochart::frontend {
 [[nodiscard]] std::string written_name(std::string_view name);
 [[nodiscard]] std::string written_name(const QualifiedName& name);
 
-/// A top-level declaration or component, indented, with a line end.
+/// A top-level declaration or a component as indented text with a line end.
 [[nodiscard]] std::string to_text(const Declaration& declaration);
 /// On one line, with a line end.
 [[nodiscard]] std::string to_text(const Assertion& assertion);

@@ -16,9 +16,9 @@ namespace robochart::frontend {
 /// The context of an expression.
 struct Surroundings {
     Place place;
-    const Scope* scope = nullptr;        ///< of the machine, operation, interface …; null at file level
-    const Function* function = nullptr;  ///< for `result` and its parameters
-    const Machine* machine = nullptr;    ///< for `sinceEntry`
+    const Scope* scope = nullptr;        ///< the scope of the machine, operation or interface; null at file level
+    const Function* function = nullptr;  ///< the function that `result` and its parameters belong to
+    const Machine* machine = nullptr;    ///< the machine whose states `sinceEntry` may name
     std::vector<const Variable*> bound;  ///< variables of enclosing binders, innermost last
 };
 

@@ -36,7 +36,7 @@ enum class TypeForm {
 struct Type {
     TypeForm form = TypeForm::any;
     std::string name;                              ///< variable ?X; declared types: Names::type_name
-    const TypeDeclaration* declaration = nullptr;  ///< for given types, enumerations, records
+    const TypeDeclaration* declaration = nullptr;  ///< the declaration of a given type, enumeration or record
     std::vector<TypePtr> args;                     ///< operands; function: {argument, result}
     std::vector<long> sizes;                       ///< vector: {n}, matrix: {rows, columns}; -1 unknown
     bool numeric = false;  ///< variable: ?Number of a toolkit, which stands for nat, int or real
