@@ -23,9 +23,9 @@ public:
 /// The values of the names in a machine's expressions. A vector may be shorter than the machine's if an expression does
 /// not use the rest; using a missing value is a fault.
 struct Environment {
-    std::vector<Value> variables;      ///< by VariableId
-    std::vector<Value> constants;      ///< by ConstantId
-    std::vector<std::int64_t> clocks;  ///< by ClockId, in time units; sinceEntry clocks included
+    std::vector<Value> variables;      ///< indexed by VariableId
+    std::vector<Value> constants;      ///< indexed by ConstantId
+    std::vector<std::int64_t> clocks;  ///< indexed by ClockId, in time units; includes the clocks of sinceEntry
     std::optional<Value> trigger;      ///< the value received by a trigger
 };
 

@@ -44,10 +44,10 @@ private:
     Value literal(const Expr& expr);
     Value name(const Expr& expr);
     static Value truth_value(bool holds) { return {holds ? 1 : 0, {}}; }
-    /// The result of `holds` for the operands.
+    /// Applies `holds` to the values of both operands.
     template <class Holds>
     Value compared(const Expr& expr, const Holds& holds);
-    /// The same for numbers.
+    /// Applies `holds` to the numbers of both operands.
     template <class Holds>
     Value ordered(const Expr& expr, const Holds& holds);
     Value arithmetic(const Expr& expr);

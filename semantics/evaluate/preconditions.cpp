@@ -120,12 +120,12 @@ bool precondition_can_fail(const System& system, const Instantiation& inst, cons
     if ((call.kind != ExprKind::call && call.kind != ExprKind::function_value) || !call.function.valid()) return false;
     const Function& function = system.functions.at(call.function.index);
     if (function.preconditions.empty()) return false;
-    // Evaluated without arguments: the precondition is true for all of them.
+    // If the precondition is true when it is evaluated without arguments, it is true for all arguments.
     if (surely([&] { return precondition_holds(system, inst, function, {}); })) return false;
     return call.kind == ExprKind::function_value || depends_on_state(call.args) || !surely([&] {
                std::vector<Value> arguments;
                for (std::size_t i = 0; i < call.args.size(); ++i) {
-                   if (call.args[i]->type != function.parameters.at(i)) return false;  // it is converted
+                   if (call.args[i]->type != function.parameters.at(i)) return false;  // it will be converted
                    arguments.push_back(value(*call.args[i]));
                }
                return precondition_holds(system, inst, function, arguments);

@@ -118,7 +118,7 @@ bool occurs(const Value& part, const Value& whole, bool at_start, bool at_end) {
         if (slice(whole, at, at + part.parts.size()) == part) return true;
     return false;
 }
-/// The elements in the order of their numbers.
+/// The second components of the pairs, in the order of the first ones.
 Value squashed(const Value& pairs) {
     Value result;
     for (const Value& p : pairs.parts) result.parts.push_back(second(p));

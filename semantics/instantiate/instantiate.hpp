@@ -5,8 +5,8 @@
 //   contain the type before it (nat in int, int in real). RoboTool counts every literal for every type. Here, by our
 //   choice, a literal counts for the type that its place requires (`x < 5` with x:real widens only real), and a negated
 //   literal is one literal (-5). Literals that are only a wait duration, a deadline, an index or compared with since()
-//   widen nothing, because they are times and positions and not values of variables. The same applies to values of
-//   constants that are used only as such times.
+//   widen nothing, because they are times and positions and not values of variables. Values of constants that are used
+// only as such times widen nothing either.
 // * Literals in values that assertions and options give to constants count. Literals in postconditions, which define
 //   functions, count; those in preconditions do not.
 // * Strings are the empty one and those written in the model.

@@ -95,7 +95,7 @@ const char* operator_text(ExprKind kind) {
             return "range";
         case ExprKind::transpose:
             return "transpose";
-        // The others have their own forms.
+        // `own_form` or `leaf` prints the remaining kinds.
         case ExprKind::boolean:
         case ExprKind::integer:
         case ExprKind::real:

@@ -39,7 +39,7 @@ using OperationId = Id<struct OperationTag>;    ///< Machine::operations
 using NodeId = Id<struct NodeTag>;              ///< Machine::nodes
 using TransitionId = Id<struct TransitionTag>;  ///< Machine::transitions
 
-/// The element of the model that something was made from: qualified RoboChart name and place.
+/// The element of the model from which a part of the IR was made: its qualified RoboChart name and its place.
 struct Origin {
     std::string element;  ///< e.g. "AggregationFSM::S1", "AggregationFSM::t2"
     diagnostics::Span span;
@@ -144,7 +144,7 @@ enum class ExprKind {
               ///< the type variables of its signature, in order of first occurrence
     is_type,  ///< true if args[0] is a value of bound_types[0]
     range,    ///< the numbers from args[0] to args[1]; number: 1 without the lower bound, 2 without the upper, 3 both
-    transpose,  ///< of the matrix or vector args[0]
+    transpose,  ///< the transpose of the matrix or vector args[0]
 };
 
 struct Expr;
@@ -223,8 +223,8 @@ struct Stmt {
 /// The scope of a variable: which component declares it and which may write it.
 enum class VariableScope {
     local,      ///< declared by the machine, private to it
-    required,   ///< of a required interface: shared; the machine keeps a copy (semantics 3.7)
-    parameter,  ///< of an operation: read-only
+    required,   ///< declared by a required interface and shared; the machine keeps a copy (semantics 3.7)
+    parameter,  ///< a parameter of an operation; read-only
 };
 
 /// A variable of a machine, a controller or a platform. Parameters of operations are variables, too.
@@ -242,7 +242,7 @@ struct Constant {
     std::string name;
     TypeId type;
     ExprPtr value;          ///< null: taken from the instantiation
-    bool required = false;  ///< of a required interface: in a context, its provider's value (semantics/ir/query.hpp)
+    bool required = false;  ///< declared by a required interface; takes its provider's value (semantics/ir/query.hpp)
     std::string interface;
     Origin origin;
 };
@@ -253,7 +253,7 @@ struct Event {
     std::optional<TypeId> type;  ///< no value: the event carries no value
     bool input =
         false;  ///< used in a trigger or an input statement; controllers, platforms: connected into the software
-    bool output = false;  ///< in an output statement; controllers, platforms: connected out of the software
+    bool output = false;  ///< used in an output statement; controllers, platforms: connected out of the software
     bool broadcast = false;
     std::string interface;
     Origin origin;
@@ -261,9 +261,9 @@ struct Event {
 
 /// A clock of a machine: counts time units since its last reset, or since a state was entered.
 struct Clock {
-    std::string name;       ///< for sinceEntry(S) clocks: the state's path joined by '_'
+    std::string name;       ///< the name; for the clock of sinceEntry(S), the path of S joined by '_'
     NodeId entry_of;        ///< valid: the clock of sinceEntry(node)
-    bool required = false;  ///< operations: in a required interface; the caller's clock of this name
+    bool required = false;  ///< only in operations: declared by a required interface; it is the caller's clock
     std::string interface;
     Origin origin;
 };
@@ -340,7 +340,7 @@ struct Machine {
 
 /// A machine in the context in which it runs.
 struct MachineInstance {
-    std::string name;  ///< of the reference (`sref stm0 = S`) or of the inline machine
+    std::string name;  ///< the name of the reference (`sref stm0 = S`) or of the inline machine
     MachineId machine;
     /// For each Machine::operations entry: the definition in this context, or invalid (a platform call).
     std::vector<MachineId> definitions;
@@ -369,13 +369,13 @@ struct Controller {
     std::string name;
     std::string package;
     std::string path;                 ///< names from the outside to it: "C", inside a module "M::C"
-    std::vector<Variable> variables;  ///< its own (scope local) and required ones
+    std::vector<Variable> variables;  ///< own variables (scope local) and required ones
     std::vector<Constant> constants;
     std::vector<Event> events;
     std::vector<OperationSignature> operations;  ///< required but not defined here: calls that leave the controller
     std::vector<MachineId> definitions;          ///< operations defined here (inline or by opref)
     std::vector<std::string>
-        definition_names;  ///< for each: the reference's name (`opref move_ref = Move`), or its own if inline
+        definition_names;  ///< names of the references (`opref move_ref = Move`), or own names of inline ones
     std::vector<MachineInstance> machines;
     std::vector<Connection> connections;
     std::vector<std::string> interfaces;
@@ -451,7 +451,7 @@ enum class PropertyKind {
     reachable,
     clock_initialised,
     event_missed,
-    conforms,  ///< to a SLEEC rule in another file
+    conforms,  ///< the component conforms to a SLEEC rule in another file
 };
 /// The semantic model of CSP in which a property is decided.
 enum class PropertyModel { failures_divergences, traces, failures, tick_tock };
@@ -470,10 +470,11 @@ struct Property {
     /// event_missed: the state of the subject, "" for the whole machine.
     std::string state;
     std::string event;            ///< event_missed
-    std::string rule;             ///< conforms: its name
+    std::string rule;             ///< conforms: the name of the rule
     std::int64_t time_units = 1;  ///< event_missed: the number of consecutive time units
     /// `with constant c of X set to e`: the name of the constant as in query.hpp, for the component that determines its
-    /// value (the provider, if it is required). `with parameter p of O`: the same with "param_" instead of "const_".
+    /// value (the provider, if it is required). For `with parameter p of O`, the name begins with "param_" instead of
+    /// "const_".
     std::vector<std::pair<std::string, ExprPtr>> constants;
     std::string file;     ///< path of the .assertions file
     std::string wording;  ///< the assertion as written, on one line
@@ -497,7 +498,7 @@ struct System {
     std::vector<Machine> machines;  ///< state machines and operations, in textual order of files sorted by path
     std::vector<Controller> controllers;
     std::vector<Module> modules;
-    std::vector<Property> properties;  ///< in order of files sorted by path, then textual
+    std::vector<Property> properties;  ///< by the paths of their files, then in textual order
     std::vector<CspBlock> csp_blocks;
 
     [[nodiscard]] const Type& type(TypeId id) const { return types[id.index]; }

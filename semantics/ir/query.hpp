@@ -48,7 +48,8 @@ struct ConstantSource {
 /// All sources, if callers of an operation provide different ones; lowering rejects such models (RC-S19).
 [[nodiscard]] std::vector<ConstantSource> constant_sources(const System&, const Module* module, const Controller&,
                                                            const std::string& part, const Machine&, ConstantId);
-/// The same for a constant of a controller: the platform's, if the controller requires it and runs in a module.
+/// The source of the value of a controller's constant: the platform's constant, if the controller requires it and runs
+/// in a module.
 [[nodiscard]] ConstantSource constant_source(const Module* module, const Controller&, ConstantId);
 
 /// A constant that a user or an assertion may set. There is one for every distinct name in the system, in order of

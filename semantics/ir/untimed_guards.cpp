@@ -20,7 +20,7 @@ bool mentions_time(const Expr& expr) {
     return found;
 }
 
-/// A boolean expression that takes the place of `whole` or of a part of it.
+/// A boolean expression that replaces `whole` or a part of it.
 ExprPtr made(const Expr& whole, ExprKind kind, std::vector<ExprPtr> parts, std::int64_t number = 0) {
     Expr result;
     result.kind = kind;

@@ -16,9 +16,8 @@ struct Names {
     ByDeclaration<OperationId> operations;
     ByDeclaration<NodeId> nodes;
     Machine* machine = nullptr;  ///< receives the clocks of sinceEntry; null outside machines
-    const frontend::Declaration* trigger_variable = nullptr;  ///< in a trigger's guard: the variable that trigger_value
-                                                              ///< replaces
-    TypeId result;                                            ///< in a postcondition: the type of the function's result
+    const frontend::Declaration* trigger_variable = nullptr;  ///< the variable that trigger_value replaces in a guard
+    TypeId result;                                            ///< the type of the function's result in a postcondition
 };
 
 /// The expression in the IR. With an `expected` type, a number of a narrower type is converted to it: literals are

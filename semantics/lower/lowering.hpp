@@ -43,13 +43,13 @@ struct Lowering {
     ByDeclaration<TypeId> declared_types{};
     std::map<std::string, TypeId> types{};  ///< structural key -> id
     ByDeclaration<FunctionId> functions{};
-    ByDeclaration<std::vector<FunctionId>> instances{};  ///< instances of generic functions
-    std::map<std::string, TypeId> type_variables{};      ///< of the generic function whose conditions are being lowered
-    ByDeclaration<MachineId> machines{};                 ///< by frontend::Machine
-    ByDeclaration<ControllerId> controllers{};           ///< by frontend::Component
-    std::vector<const frontend::Machine*> machine_sources{};       ///< by MachineId
-    std::vector<const frontend::Component*> controller_sources{};  ///< by ControllerId
-    std::vector<const frontend::Component*> module_sources{};      ///< by index of System::modules
+    ByDeclaration<std::vector<FunctionId>> instances{};       ///< instances of generic functions
+    std::map<std::string, TypeId> type_variables{};           ///< type variables of the generic function being lowered
+    ByDeclaration<MachineId> machines{};                      ///< keyed by frontend::Machine
+    ByDeclaration<ControllerId> controllers{};                ///< keyed by frontend::Component
+    std::vector<const frontend::Machine*> machine_sources{};  ///< indexed by MachineId
+    std::vector<const frontend::Component*> controller_sources{};  ///< indexed by ControllerId
+    std::vector<const frontend::Component*> module_sources{};      ///< indexed as System::modules
 
     /// The package of a declaration ("" if unnamed), taken from the file of its outermost parent.
     [[nodiscard]] std::string package_of(const frontend::Declaration&) const;

@@ -26,8 +26,8 @@ public:
 private:
     struct Pending {
         const ast::Transition* source;
-        std::string path;   ///< of the container, "" at the top
-        ExprPtr condition;  ///< as written, without the other conditions
+        std::string path;   ///< the path of the container; "" at the top
+        ExprPtr condition;  ///< the lowered condition alone; the guard may contain more
     };
 
     void declare();

@@ -16,7 +16,7 @@ struct FoundComponent {
     const Module* module = nullptr;          ///< set if the path leads through a module
     const Controller* controller = nullptr;  ///< set if the path leads through or to a controller
     const Machine* machine = nullptr;        ///< set if the path leads to a machine or operation
-    std::string part;                        ///< of a machine in a controller: name of the instance or definition
+    std::string part;                        ///< the name of the instance or definition, for a machine in a controller
 };
 
 /// The component at the end of a path that name resolution found; no value if the path is unresolved.

@@ -157,7 +157,7 @@ std::optional<std::uint32_t> position(const std::vector<Declaration>& items, con
     return std::nullopt;
 }
 
-/// The constant under the name of its process parameter, for the component that determines its value.
+/// Sets the constant, by the name of its process parameter in the component that determines its value.
 void Properties::constant(const ast::AssertionParameter& source, const FoundComponent& context, Property& property) {
     const auto& constants = context.machine != nullptr      ? context.machine->constants
                             : context.controller != nullptr ? context.controller->constants
@@ -174,7 +174,7 @@ void Properties::constant(const ast::AssertionParameter& source, const FoundComp
     property.constants.emplace_back(name, value(source, constants[*at].type));
 }
 
-/// `parameter p of O`: the same with "param_" instead of "const_".
+/// Sets a parameter for `parameter p of O`: its name begins with "param_" instead of "const_".
 void Properties::operation_parameter(const ast::AssertionParameter& source, const FoundComponent& context,
                                      Property& property) {
     const bool operation = context.machine != nullptr && context.machine->kind == MachineKind::operation;
