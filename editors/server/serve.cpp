@@ -76,7 +76,7 @@ void read_all(std::istream& in, Inbox& inbox, Interruption& interruption) {
 int serve(std::istream& in, std::ostream& out) {
     Server server([&out](const std::string& text) { write_frame(out, text); });
     Inbox inbox;
-    std::exception_ptr failure;  // of the reader; the loop then ends as at the end of the input
+    std::exception_ptr failure;  // an exception of the reader; the loop then ends as at the end of the input
     std::thread reader([&] {
         try {
             read_all(in, inbox, server.interruption());

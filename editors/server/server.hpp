@@ -23,12 +23,12 @@ public:
     /// `send` sends a message, as JSON text, to the editor.
     explicit Server(std::function<void(const std::string&)> send);
 
-    /// For the reader thread to report messages while the server works.
+    /// The interruption that the reader thread uses to report messages while the server works.
     [[nodiscard]] Interruption& interruption() { return interruption_; }
     /// Adds a message to the queue.
     void receive(const std::string& text);
-    /// The same for a message that is already parsed. If `fault` is not empty there is no message, and the fault is
-    /// answered with a parse error.
+    /// Adds a message that is already parsed. If `fault` is not empty there is no message, and the server answers with
+    /// a parse error.
     void receive(Json message, std::string fault);
     /// Handles the first message of the queue. A request is not started if the queue contains its cancellation.
     void step();

@@ -28,7 +28,7 @@ struct ScriptReading {
     cspm::Script script;
     diagnostics::Diagnostics findings;
     cspm::NameTable names;               ///< empty until types are computed
-    std::map<std::string, SourceId> at;  ///< texts by file; the first if a file is included several times
+    std::map<std::string, SourceId> at;  ///< the text of each file; the first one if a file is included several times
     std::map<SourceId, std::string> in;  ///< the file of every text
     std::set<std::string> asked;         ///< files that were searched for, whether they exist or not
     bool typed = false;                  ///< types were checked, or cannot be because reading failed
@@ -37,7 +37,7 @@ struct ScriptReading {
 /// An open script.
 struct ScriptDocument : OpenText {
     std::string file;                        ///< its file, with links resolved
-    std::unique_ptr<ScriptReading> reading;  ///< of the document with its includes; null after a change
+    std::unique_ptr<ScriptReading> reading;  ///< the document read with its includes; null after a change
 };
 
 class Scripts {
@@ -74,7 +74,7 @@ private:
     [[nodiscard]] bool is_part_of_another(const ScriptDocument& document) const;
 
     diagnostics::Budget* budget_;
-    std::map<std::string, std::unique_ptr<ScriptDocument>, std::less<>> documents_;  ///< by URI
+    std::map<std::string, std::unique_ptr<ScriptDocument>, std::less<>> documents_;  ///< keyed by URI
     bool news_ = false;
 };
 

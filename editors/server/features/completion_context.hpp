@@ -25,7 +25,7 @@ enum class Block {
     function,
     state,
     transition,
-    type,     ///< of a datatype or enumeration
+    type,     ///< the body of a datatype or enumeration
     bracket,  ///< a set, or a deadline
 };
 
@@ -37,7 +37,7 @@ struct Enclosing {
 
 /// The construct that the grammar expects at the place.
 enum class Wanted {
-    nothing,       ///< a new name, or inside a comment or string
+    nothing,       ///< no construct: a new name, a comment or a string
     member,        ///< the beginning of a member of the body
     continuation,  ///< after a complete operand: an infix operator or the next member
     source,        ///< a node that a transition may leave
@@ -47,7 +47,7 @@ enum class Wanted {
     type,
     reference,  ///< the target of `sref n =` and similar; `word` is the keyword
     clock,
-    state,     ///< of sinceEntry
+    state,     ///< the state of sinceEntry
     variable,  ///< a variable that receives a value
     expression,
     statement,
@@ -55,9 +55,9 @@ enum class Wanted {
     connection_node,
     connection_event,  ///< an event of the node `path`
     import,
-    component,  ///< in an assertion
-    property,   ///< after `is` in an assertion
-    rule,       ///< after `conforms to` in an assertion
+    component,  ///< a component that an assertion names
+    property,   ///< a property, after `is` in an assertion
+    rule,       ///< a rule, after `conforms to` in an assertion
 };
 
 /// The context of a completion. A step from a value to a part of it is a field's name, or "" for an index.

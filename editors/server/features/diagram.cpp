@@ -109,7 +109,7 @@ const Subject* first_of(const std::vector<Subject>& subjects, SourceId source) {
 /// The selected component.
 struct Choice {
     const Subject* subject = nullptr;
-    bool certain = false;  ///< the one at the place or with the name, not only the file's first
+    bool certain = false;  ///< selected by place or name; otherwise the first component of the file
 };
 
 Choice choose(const std::vector<Subject>& subjects, const Target& target, const DiagramParameters& wanted) {

@@ -24,14 +24,14 @@ inline constexpr const char* diagram_notification = "robochart/diagramChanged";
 struct DrawnDiagram {
     diagrams::Elements elements;
     diagrams::Picture picture;
-    Json places;  ///< of the elements, as sent in the answer
+    Json places;  ///< the places of the elements, as sent in the answer
     std::optional<std::int64_t> version;
 };
 
 /// A drawn component: its layout, and its last diagram of a text without syntax errors.
 struct KeptDiagram {
-    std::string uri;   ///< of the document that it is in
-    std::string kind;  ///< of the declaration; "package" for a package
+    std::string uri;   ///< the document that contains the component
+    std::string kind;  ///< the kind of the declaration; "package" for a package
     std::string name;
     diagrams::Memory memory;
     std::optional<DrawnDiagram> drawn;

@@ -47,7 +47,7 @@ public:
 
 private:
     diagnostics::Budget* budget_;
-    std::map<std::string, std::unique_ptr<PlainText>, std::less<>> documents_;  ///< by URI
+    std::map<std::string, std::unique_ptr<PlainText>, std::less<>> documents_;  ///< keyed by URI
     bool news_ = false;
 };
 

@@ -21,7 +21,7 @@ using Locate = std::function<Json(Span)>;
 [[nodiscard]] std::string text_of_findings(const Json& list);
 /// The notification with the findings about a document.
 [[nodiscard]] Json publication(const std::string& uri, std::optional<std::int64_t> version, Json list);
-/// The request that the editor should request the findings again. Requests are numbered.
+/// Asks the editor to request the findings again. Requests are numbered.
 [[nodiscard]] Json refresh_request(std::int64_t number);
 
 /// The codes and explanations of the rules that report the text at an offset, without duplicates; "" if there are none.

@@ -53,10 +53,10 @@ private:
 
     mutable std::mutex mutex_;
     bool working_ = false;
-    Json id_;                    ///< id of the current request
-    std::uint64_t known_ = 0;    ///< changes that had arrived when the work began or are handled: older than its texts
-    std::uint64_t changes_ = 0;  ///< changes that have arrived
-    std::uint64_t handled_ = 0;  ///< changes that were handled
+    Json id_;                      ///< id of the current request
+    std::uint64_t known_ = 0;      ///< number of changes that do not end the current work
+    std::uint64_t changes_ = 0;    ///< changes that have arrived
+    std::uint64_t handled_ = 0;    ///< changes that were handled
     std::vector<Json> cancelled_;  ///< ids, until the cancellation itself is handled
     std::optional<std::chrono::steady_clock::time_point> leaving_;
 };

@@ -54,7 +54,7 @@ const RuleReading& RuleTexts::reading_of(RuleText& document) {
 }
 
 std::vector<std::pair<std::string, std::string>> RuleTexts::names_in(const std::string& folder) {
-    std::map<std::string, std::vector<std::string>> names;  // by file
+    std::map<std::string, std::vector<std::string>> names;  // keyed by file name
     const auto add = [&](const std::string& path, const sleec::RuleFile& file) {
         std::vector<std::string>& of = names[fs::path(path).filename().string()];
         for (const sleec::Rule& each : file.rules) of.push_back(each.name.text);

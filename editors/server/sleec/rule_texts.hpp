@@ -54,7 +54,7 @@ public:
 
 private:
     diagnostics::Budget* budget_;
-    std::map<std::string, std::unique_ptr<RuleText>, std::less<>> documents_;  ///< by URI
+    std::map<std::string, std::unique_ptr<RuleText>, std::less<>> documents_;  ///< keyed by URI
     bool news_ = false;
 };
 

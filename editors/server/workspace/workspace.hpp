@@ -27,8 +27,8 @@ struct Document {
     bool open = false;  ///< the text is the editor's
     std::optional<std::int64_t> version;
     bool stale = true;                  ///< the text changed since it was parsed
-    frontend::File* tree = nullptr;     ///< in the project's model, after parsing
-    diagnostics::Diagnostics findings;  ///< of parsing only
+    frontend::File* tree = nullptr;     ///< the tree in the project's model, after parsing
+    diagnostics::Diagnostics findings;  ///< the findings of the parser
     std::string published;              ///< the diagnostics last sent
     std::string pulled;                 ///< the diagnostics that the editor last requested, while it is open
 };
@@ -83,7 +83,7 @@ private:
     diagnostics::Budget* budget_;
     SourceManager sources_;
     std::map<std::string, std::unique_ptr<Document>> documents_;
-    std::map<std::string, SourceId> ids_;  ///< of every path ever seen
+    std::map<std::string, SourceId> ids_;  ///< the id of every path seen so far
     frontend::Model model_;
     frontend::Resolution resolution_;
     diagnostics::Diagnostics findings_;
