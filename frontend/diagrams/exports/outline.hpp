@@ -35,7 +35,7 @@ public:
 private:
     const Picture& picture_;
     bool machine_ = false;
-    std::vector<std::vector<std::size_t>> inside_, events_, lines_;  ///< by box; the last entry is for `none`
+    std::vector<std::vector<std::size_t>> inside_, events_, lines_;  ///< indexed by box; the last entry is for `none`
 };
 
 }  // namespace robochart::diagrams

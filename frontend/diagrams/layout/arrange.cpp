@@ -232,7 +232,7 @@ private:
     Placement& whole_;
     std::size_t row_ = 0;
     double left_ = 0, right_ = 0, x_ = 0, y_ = 0;
-    double height_ = 0;  ///< of the current row
+    double height_ = 0;  ///< the height of the current row
 };
 
 Placement arrange_in(const Level& level, const std::vector<Part>& parts, bool turned, diagnostics::Budget* budget) {

@@ -118,7 +118,7 @@ public:
 private:
     struct Near {
         std::vector<std::size_t> in, out;
-        std::size_t ins = 0, outs = 0;  ///< of the remaining boxes
+        std::size_t ins = 0, outs = 0;  ///< number of edges from and to boxes that remain
     };
 
     [[nodiscard]] std::size_t next() const {

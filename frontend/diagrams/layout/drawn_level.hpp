@@ -30,7 +30,7 @@ struct DrawnEdge {
         Point from_source, from_target;
     };
     Point source_anchor{0.5, 0.5}, target_anchor{0.5, 0.5};  ///< as fractions of width and height
-    std::vector<Bend> bends;                                 ///< from end to end; fewer than two: the route is unknown
+    std::vector<Bend> bends;  ///< in order from end to end; if there are fewer than two, the route is unknown
     bool right_angled = true;
     std::optional<Point> label;  ///< the middle of the label, relative to the middle of the route
 };
@@ -47,7 +47,7 @@ struct DrawnPorts {
 /// The whole drawing, in the order of the level's boxes and edges. Elements that are not in the drawing have no value.
 struct DrawnLevel {
     std::vector<std::optional<DrawnBox>> boxes;
-    std::vector<DrawnPorts> ports;  ///< for boxes on the border: those of the enclosing box
+    std::vector<DrawnPorts> ports;  ///< squares of the boxes; a box on the border has those of the enclosing box
     std::vector<std::optional<DrawnEdge>> edges;
     Size size;          ///< the minimum size of the level
     double header = 0;  ///< height of the part of the enclosing box above the level

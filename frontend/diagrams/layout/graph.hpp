@@ -44,7 +44,7 @@ struct Link {
     std::size_t edge = nothing;
     std::size_t upper_port = nothing, lower_port = nothing;  ///< index in the box of that node
     double upper_x = 0, lower_x = 0;
-    double upper_offset = 0, lower_offset = 0;  ///< of the ends from the middles of their boxes, if known
+    double upper_offset = 0, lower_offset = 0;  ///< distances of the ends from the middles of their boxes, if known
     /// The tracks of the link: the y of each, and the x at which it continues to the next track. The last one continues
     /// to `lower_x`.
     struct Track {
@@ -55,7 +55,7 @@ struct Link {
 
 /// A port of a box: its side and position.
 struct GraphPort {
-    bool down = true;  ///< on the lower side
+    bool down = true;  ///< the port is on the lower side
     double x = 0;
 };
 
@@ -70,7 +70,7 @@ struct Graph {
     std::vector<std::size_t> layer_of_box;         ///< before label layers are inserted
     std::vector<bool> reversed;                    ///< edges drawn against their direction
     std::vector<std::vector<std::size_t>> chains;  ///< the links of each edge, from the upper end to the lower one
-    std::vector<std::vector<GraphPort>> ports;     ///< of each box
+    std::vector<std::vector<GraphPort>> ports;     ///< the ports of each box
     std::vector<double> layer_y;                   ///< the middle of each layer
     diagnostics::Budget* budget = nullptr;
 
@@ -113,12 +113,12 @@ inline constexpr double slots = 14;        ///< between two edge ends on a side 
 inline constexpr double slot_margin = 8;   ///< between an edge end and the corner
 inline constexpr double tracks = 10;       ///< between two parallel edge segments
 inline constexpr double label = 5;         ///< between a line and its label
-inline constexpr double label_below = 2;   ///< the same if the label is below the line
+inline constexpr double label_below = 2;   ///< between a line and a label below it
 inline constexpr double ports = 28;        ///< between the centres of two ports
 inline constexpr double port_margin = 15;  ///< between the centre of a port and the corner
 inline constexpr double at_boxes = 14;     ///< between a layer of boxes and the adjacent tracks
-inline constexpr double at_labels = 7;     ///< the same for a layer of labels
-inline constexpr double at_lines = 4;      ///< the same for a layer that contains only lines
+inline constexpr double at_labels = 7;     ///< between a layer of labels and the adjacent tracks
+inline constexpr double at_lines = 4;      ///< between a layer with only lines and the adjacent tracks
 inline constexpr double pieces = 6;        ///< between two segments that must remain distinguishable
 }  // namespace distance
 

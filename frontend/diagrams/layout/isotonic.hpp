@@ -18,7 +18,8 @@ struct Wish {
 /// Bartholomew, Bremner, Brunk: Statistical inference under order restrictions, 1972).
 [[nodiscard]] std::vector<double> nearest_places(std::span<const Wish> wishes);
 
-/// The same between two bounds. If the bounds are too close together, the items are distributed evenly.
+/// Minimises the same sum with all positions between two bounds. If the bounds are too close together, the items are
+/// distributed evenly.
 [[nodiscard]] std::vector<double> nearest_places(std::span<const Wish> wishes, double low, double high);
 
 }  // namespace robochart::diagrams::layout

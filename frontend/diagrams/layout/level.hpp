@@ -26,7 +26,7 @@ struct Rank {
 
 /// A square on the left or right border of a box, at which edges end. A level with ports is laid out to the right.
 struct Port {
-    double label_width = 0;  ///< of the text next to it inside the box
+    double label_width = 0;  ///< the width of the text next to the square, inside the box
 };
 
 /// A node of the layout, joined by edges.
@@ -54,7 +54,7 @@ struct Level {
     std::vector<Box> boxes;
     std::vector<Edge> edges;
     Direction direction = Direction::best;
-    std::optional<Direction> previous;  ///< in the layout before an edit; kept unless another is much better
+    std::optional<Direction> previous;  ///< the direction before an edit; kept unless another is much better
 };
 
 /// The width of the square of a port.
@@ -62,9 +62,9 @@ inline constexpr double port_size = 18;
 
 /// The placement of a port.
 struct PlacedPort {
-    bool left = false;  ///< on the left border; otherwise on the right, unless drawn elsewhere
+    bool left = false;  ///< true on the left border; otherwise on the right, unless drawn elsewhere
     Point centre;
-    std::optional<Rectangle> label = {};  ///< if the label is not in the box next to the port
+    std::optional<Rectangle> label = {};  ///< the place of the label, if it is not next to the port
 };
 
 /// The placement of a box.
@@ -76,7 +76,7 @@ struct PlacedBox {
 
 /// The route of an edge.
 struct PlacedEdge {
-    std::vector<Point> points;       ///< from source to target, alternately horizontal and vertical
+    std::vector<Point> points;       ///< route from source to target; segments are horizontal and vertical in turn
     Rectangle label;                 ///< empty if it has none
     std::vector<std::size_t> ranks;  ///< its index in each layer that it passes, first layer first
 };

@@ -20,7 +20,7 @@ struct Drawing {
     const Elements& elements;
     Memory* memory = nullptr;
     diagnostics::Budget* budget = nullptr;
-    const StoredLayout* stored = nullptr;  ///< of the drawn component
+    const StoredLayout* stored = nullptr;  ///< the stored layout of the drawn component
 };
 
 /// A title of a box: an icon and text.
@@ -58,7 +58,7 @@ struct EventSquare {
 /// The square with its label to the left or right.
 [[nodiscard]] PictureBox draw_square(const EventSquare& square, const layout::Point& centre, std::size_t owner,
                                      bool label_left);
-/// The square at a port. The label is where the port says; otherwise as above.
+/// The square at a port. Its label is at the place that the port gives; if the port gives none, at the left or right.
 [[nodiscard]] PictureBox draw_square(const EventSquare& square, const layout::PlacedPort& port,
                                      const layout::Point& corner, std::size_t owner, bool label_left);
 

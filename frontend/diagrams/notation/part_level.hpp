@@ -32,7 +32,7 @@ private:
         std::vector<const frontend::Event*> events;  ///< null if only its name is known
         std::vector<EventSquare> squares;            ///< one per event
         bool on_border = false;                      ///< an own event of the module or controller
-        std::unique_ptr<NodeLevel> inner;            ///< of a machine whose nodes a person drew here
+        std::unique_ptr<NodeLevel> inner;            ///< the nodes of a machine, if a person drew them here
         double header = 0;
         layout::Size size;
     };
@@ -46,7 +46,7 @@ private:
     struct Borders {
         double left = 0, right = 0;
         bool events_left = false, events_right = false;
-        double missing = 0;  ///< by how much the borders must move apart
+        double missing = 0;  ///< the distance by which the borders must move apart
     };
 
     void add_part(const frontend::Declaration& declaration);
@@ -81,7 +81,7 @@ private:
     layout::Level level_;
     layout::Placement placement_;
     bool as_drawn_ = false;
-    std::vector<std::vector<std::size_t>> squares_;  ///< of each part: indices of boxes of the picture
+    std::vector<std::vector<std::size_t>> squares_;  ///< for each part, the indices of its squares in the picture
 };
 
 }  // namespace robochart::diagrams

@@ -41,20 +41,20 @@ enum class Anchor { start, middle, end };
 
 /// Text on one line.
 struct Text {
-    layout::Point at;  ///< on the base line
+    layout::Point at;  ///< the position on the base line
     std::string text;
     double size = 11;
     Anchor anchor = Anchor::start;
     bool bold = false, italic = false, underlined = false;
     bool flows = false;          ///< directly after the text before it
-    std::size_t element = none;  ///< if it shows another element than its box
+    std::size_t element = none;  ///< set if the text shows another element than its box
 };
 
 /// An icon in a picture.
 struct Sign {
     Icon icon = Icon::no_icon;
     layout::Point centre;
-    bool reference = false;  ///< of a reference, in the colour of references
+    bool reference = false;  ///< the icon of a reference, drawn in the colour of references
 };
 
 /// The style of a box.
@@ -62,7 +62,7 @@ enum class Look {
     plain,
     frame,              ///< the component shown by the diagram
     reference,          ///< refers to a declaration elsewhere
-    machine_reference,  ///< with a dashed border
+    machine_reference,  ///< a reference to a machine, drawn with a dashed border
     missing,            ///< an unresolved name
     event,              ///< the square of an event
     broadcast,
@@ -81,7 +81,7 @@ struct PictureBox {
     Look look = Look::plain;
     std::size_t element = none;
     std::size_t parent = none;    ///< the box that contains it
-    std::size_t event_of = none;  ///< for the square of an event: the box on whose border it is
+    std::size_t event_of = none;  ///< the box on whose border the square of an event is
     layout::Rectangle place;
     std::vector<double> rules;  ///< y of the lines that divide it
     std::vector<Sign> signs;

@@ -18,11 +18,11 @@ inline constexpr double title = 26;  ///< height of the title of a component
 inline constexpr double state_title = 24;
 inline constexpr double row_font = 11;
 inline constexpr double row = 16;
-inline constexpr double line = 14;  ///< of a label or an action
+inline constexpr double line = 14;  ///< the height of a line of a label or an action
 inline constexpr double padding = 7;
 inline constexpr double sign = 24;  ///< width of the icon column
 inline constexpr double widest_row = 420;
-inline constexpr std::size_t longest_title = 60;  ///< in characters
+inline constexpr std::size_t longest_title = 60;  ///< the number of characters
 }  // namespace measure
 
 /// A text of a row.

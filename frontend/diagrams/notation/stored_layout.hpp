@@ -17,9 +17,9 @@ struct StoredArea {
 
 /// The layout of one component. Its maps are used for lookup only. Positions are relative to the enclosing area.
 struct StoredLayout {
-    std::unordered_map<const frontend::Declaration*, layout::DrawnBox> boxes;   ///< nodes, components, the component
-                                                                                ///< itself
-    std::unordered_map<const frontend::Declaration*, StoredArea> areas;         ///< of components, machines, states
+    std::unordered_map<const frontend::Declaration*, layout::DrawnBox> boxes;  ///< nodes, components, the component
+                                                                               ///< itself
+    std::unordered_map<const frontend::Declaration*, StoredArea> areas;  ///< areas in components, machines and states
     std::unordered_map<const frontend::Declaration*, layout::DrawnEdge> lines;  ///< transitions, connections
     /// Events on the border of the component or of its components.
     std::unordered_map<const frontend::Declaration*,

@@ -12,9 +12,9 @@ namespace robochart::diagrams {
 /// A component, or the types and interfaces of a package.
 struct Subject {
     std::string name;  ///< "P::C::S"; for a package without a name, the name of its file
-    std::string file;  ///< for file names: letters, digits, "_"; unique
+    std::string file;  ///< a unique name for files, of letters, digits and "_"
     const frontend::Declaration* component = nullptr;  ///< null for a package
-    std::vector<const frontend::File*> files;          ///< of the package
+    std::vector<const frontend::File*> files;          ///< the files of the package
 };
 
 /// True for a component, which has its own diagram.

@@ -362,7 +362,7 @@ private:
     Aird aird_;
     AirdBuilder builder_{aird_.diagrams};
     std::string error_;
-    XML_Index at_ = 0;  ///< of the error, in bytes
+    XML_Index at_ = 0;  ///< the place of the error, in bytes
     std::exception_ptr failure_;
 };
 

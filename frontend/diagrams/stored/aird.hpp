@@ -24,7 +24,7 @@ struct AirdElement {
     std::string name;            ///< the displayed text
     std::string href;            ///< "FILE.rct#//@machines.0/@nodes.1"
     std::string mapping;         ///< "StateID"
-    std::string source, target;  ///< for a line: ids of elements
+    std::string source, target;  ///< ids of the elements at the ends of a line
 };
 
 /// A rectangle, or a label or compartment of one.
@@ -54,7 +54,7 @@ struct AirdDiagram {
 struct Aird {
     std::vector<AirdDiagram> diagrams;
     std::string error;         ///< "" if it was read
-    std::uint32_t offset = 0;  ///< of the error
+    std::uint32_t offset = 0;  ///< the place of the error
 };
 
 /// The longest text that is accepted, in bytes.

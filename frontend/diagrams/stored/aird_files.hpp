@@ -24,7 +24,7 @@ private:
         Aird aird;
     };
     static constexpr std::size_t most = 16;
-    std::map<std::string, Entry> entries_;  ///< by path
+    std::map<std::string, Entry> entries_;  ///< keyed by path
 };
 
 }  // namespace robochart::diagrams

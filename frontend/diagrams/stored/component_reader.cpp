@@ -21,8 +21,8 @@ using layout::Point;
 
 namespace {
 
-constexpr double inset = 5;          ///< of shapes inside an area
-constexpr double title_height = 28;  ///< of a displayed title
+constexpr double inset = 5;          ///< the distance of shapes from the border of their area
+constexpr double title_height = 28;  ///< the height of a displayed title
 
 /// "S" of "ref S = T", "e: nat", "op(x: nat)".
 std::string_view identifier_of(std::string_view text) {
@@ -109,8 +109,8 @@ struct DiagramIndex {
                 lines[at->second.source].push_back(l);
     }
 
-    std::vector<std::vector<std::size_t>> children;                      ///< of each shape
-    std::map<std::string, std::vector<std::size_t>, std::less<>> lines;  ///< by the id of their source
+    std::vector<std::vector<std::size_t>> children;                      ///< the children of each shape
+    std::map<std::string, std::vector<std::size_t>, std::less<>> lines;  ///< keyed by the id of their source
 };
 
 /// One component of a diagram.
@@ -163,7 +163,7 @@ private:
         for (const std::size_t child : children_[shape]) visit(child, *node);
     }
 
-    /// The node in the owner: by the reference, otherwise by its name.
+    /// Finds the node in the owner by the reference, otherwise by its name.
     [[nodiscard]] const Declaration* node_of(const AirdElement& element, const Declaration& owner) const {
         const Declaration* meant = fragments_.find(element.href);
         const Declaration* called = nullptr;
@@ -355,11 +355,11 @@ private:
     diagnostics::Budget* budget_;
     StoredDiagram result_;
     std::set<std::string, std::less<>> ids_;                                 ///< ids of the elements of the component
-    std::map<std::string, LineEnd, std::less<>> ends_;                       ///< those found in the model
+    std::map<std::string, LineEnd, std::less<>> ends_;                       ///< the ends that were found in the model
     std::map<std::tuple<std::size_t, double, double>, std::size_t> places_;  ///< number of shapes at each place
 };
 
-/// The component, by the reference or otherwise by its name.
+/// Finds the component by the reference, otherwise by its name.
 const Declaration* component_of(const AirdElement& element, const Fragments& fragments) {
     const auto is_meant = [&](const Declaration* each) {
         return each != nullptr && has_diagram(*each) && is_called(*each, element.name);

@@ -29,7 +29,7 @@ private:
     struct Reference;
     [[nodiscard]] Reference read(std::string_view href) const;
 
-    std::map<std::string, const frontend::File*> files_;  ///< by file name without the folder
+    std::map<std::string, const frontend::File*> files_;  ///< keyed by file name without the folder
 };
 
 }  // namespace robochart::diagrams

@@ -23,13 +23,13 @@ struct StoredDiagram {
     std::string file;  ///< its path
     StoredLayout layout;
     std::size_t elements = 0;  ///< nodes, parts, squares of events and lines
-    std::size_t found = 0;     ///< number of these that the model has, with their names or ends
+    std::size_t found = 0;     ///< number of these elements that the model has, with their names or ends
     std::size_t boxes = 0;     ///< nodes and parts
-    std::size_t stacked = 0;   ///< number of these at the place of another one, because nobody moved them
+    std::size_t stacked = 0;   ///< number of boxes at the place of another one, because nobody moved them
 
-    /// True if a person arranged it; false if it is as RoboTool created it.
+    /// True if a person arranged the diagram; false if it is as RoboTool created it.
     [[nodiscard]] bool is_drawn() const { return elements > 0 && stacked * 100 <= boxes * 5; }
-    /// True if it matches this model.
+    /// True if the diagram matches this model.
     [[nodiscard]] bool fits() const { return is_drawn() && found * 100 >= elements * 95; }
 };
 
@@ -38,7 +38,7 @@ class StoredDiagrams {
 public:
     /// No diagrams.
     StoredDiagrams() = default;
-    /// The same as `read`, but without findings; for servers.
+    /// Reads the diagrams as `read` does, but reports no findings; for servers.
     StoredDiagrams(const frontend::Model& model, const diagnostics::SourceManager& sources, AirdFiles& files,
                    diagnostics::Budget* budget);
 
