@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Translates names of the script to terms of the model: events, and the definitions that a process is in.
+// Translates names of the script to terms of the model: events, and the definitions in which a process currently is.
 #pragma once
 
 #include <memory>

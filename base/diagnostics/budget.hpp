@@ -65,8 +65,8 @@ public:
     /// The memory of the program and its children, as last measured.
     [[nodiscard]] std::uint64_t resident() const { return resident_.load(std::memory_order_relaxed); }
 
-    /// Names the activity of the run while the object exists, such as "reading the model". Phases may be nested; the
-    /// innermost is named.
+    /// Names the activity of the run while the object exists, such as "reading the model". Phases may be nested;
+    /// messages name the innermost one.
     class Phase {
     public:
         Phase(Budget& budget, std::string what);
@@ -94,8 +94,8 @@ public:
         std::string path_;
         pid_t group_ = 0;
     };
-    /// Ends all registered process groups and removes all registered files and folders. Only for the end of the
-    /// program.
+    /// Ends all registered process groups and removes all registered files and folders. Must be called only at the end
+    /// of the program.
     void release();
 
 private:

@@ -69,8 +69,8 @@ void check_final(const State& state, Diagnostics& out) {
 
 // ---------------------------------------------------------------- probabilities
 
-/// The value of an expression over literals and constants that have values. At most `constants` references are
-/// followed, because constants may refer to each other cyclically.
+/// The value of an expression over literals and constants that have values. The function follows at most `constants`
+/// references, because constants may refer to each other cyclically.
 std::optional<double> constant_value(const Expr& expr, int constants = 20) {
     const auto arg = [&](std::size_t i) { return constant_value(*expr.args[i], constants); };
     if (expr.kind == ExprKind::parenthesised) return arg(0);
@@ -184,7 +184,7 @@ std::optional<Polynomial> polynomial(const Expr& expr, int constants = 6) {
 void check_probability_sum(const Ways& ways, const State& node, Diagnostics& out) {
     std::optional<Polynomial> total = Polynomial{};
     for (const Transition* transition : outgoing(ways, node)) {
-        if (!transition->probability) return;  // reported by PJ1
+        if (!transition->probability) return;  // PJ1 reports it
         const auto number = constant_value(*transition->probability);
         const auto way = number ? std::optional(Polynomial{{{}, *number}}) : polynomial(*transition->probability);
         total = total && way ? std::optional(sum(std::move(*total), *way, 1)) : std::nullopt;

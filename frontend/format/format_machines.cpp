@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// States, actions, transitions. A short body is written on the line of its head; the parts of others get a line each.
+// States, actions, transitions. A short body is written on the line of its head; a longer body has one part on each
+// line.
 #include "frontend/format/format_model.hpp"
 
 namespace robochart::frontend {

@@ -47,8 +47,8 @@ std::optional<Direction> direction_of(const Expr& value, const Declaration& vari
 
 /// The analysis of one variable of the machine.
 struct Growth {
-    bool bounded = false;                ///< a condition reads it, or something other than a step writes it
-    bool read = false;                   ///< read by something other than its own steps
+    bool bounded = false;                ///< a condition reads the variable, or something other than a step writes it
+    bool read = false;                   ///< something other than its own steps reads the variable
     std::optional<Direction> direction;  ///< the common direction of its steps
     const Stmt* again = nullptr;         ///< the first step that can happen repeatedly
 };

@@ -29,10 +29,10 @@ using Findings = std::vector<Diagnostic>;
 
 /// The results kept for a file.
 struct Known {
-    std::string outside;               ///< computed on first use
-    Findings names;                    ///< about names and types
+    std::string outside;               ///< the parts that other files see, as text; computed on first use
+    Findings names;                    ///< findings about names and types
     bool asked_lost = false;           ///< an unresolved name may have been in text that could not be parsed
-    std::optional<Findings> warnings;  ///< about single machines; no value if the warnings were not computed
+    std::optional<Findings> warnings;  ///< warnings about single machines; no value if they were not computed
     bool changed = false;              ///< the tree was replaced
 };
 

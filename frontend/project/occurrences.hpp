@@ -24,7 +24,7 @@ enum class NameKind {
 /// How a variable, clock or event is used.
 enum class Access { none, read, write };
 
-/// One name at one place. Each part of a qualified name is a separate occurrence.
+/// A name at a place in a text. Each part of a qualified name is a separate occurrence.
 struct Occurrence {
     Span span;
     NameKind kind = NameKind::unknown;

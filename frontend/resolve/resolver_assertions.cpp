@@ -206,7 +206,7 @@ void add_states_below(const Declaration* component, const std::string& name, con
         if (is_component(part)) add_states_below(part, name, above + "::" + part->name, paths);
 }
 
-/// Suggests the only state with this name, by its path, or a similar name.
+/// Suggests the path of the only state with this name, or a similar name.
 void suggest_state(const Machine& machine, const QualifiedName& name, diagnostics::Diagnostic& finding) {
     std::vector<std::string> paths;
     collect_paths_of(machine, name.parts.back(), "", paths);

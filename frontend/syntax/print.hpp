@@ -29,11 +29,11 @@ namespace robochart::frontend {
 
 /// A top-level declaration or a component as indented text with a line end.
 [[nodiscard]] std::string to_text(const Declaration& declaration);
-/// On one line, with a line end.
+/// An assertion on one line, with a line end.
 [[nodiscard]] std::string to_text(const Assertion& assertion);
-/// On one line, with a line end.
+/// A definition of probabilistic assertions on one line, with a line end.
 [[nodiscard]] std::string to_text(const ProbabilisticDefinition& definition);
-/// On one line, with a line end.
+/// A probabilistic assertion on one line, with a line end.
 [[nodiscard]] std::string to_text(const ProbabilisticAssertion& assertion);
 /// The claim of a probabilistic assertion on one line, without its name: `Prob=? of [Finally x] with constants C`.
 [[nodiscard]] std::string claim(const ProbabilisticAssertion& assertion);

@@ -103,7 +103,7 @@ TEST(Suite, SurvivesTruncationAnywhere) {
     EXPECT_GT(cuts, 100U);
 }
 
-/// The same for texts with a piece removed in the middle.
+/// A model from which a piece in the middle is removed gives diagnostics or a model, never a crash.
 TEST(Suite, SurvivesHoles) {
     NEED_SHARED(shared);
     for (const auto& entry : fs::recursive_directory_iterator(shared / "suite/robotool/accept")) {

@@ -196,8 +196,8 @@ DrawnDiagram draw_now(Session& session, const Target& target, const Subject& sub
     return result;
 }
 
-/// The kept diagram that is shown while the text has errors: of the requested component, otherwise the latest of the
-/// document. Null if there is none.
+/// The kept diagram to show while the text has errors: that of the requested component, otherwise the latest one of the
+/// document; null if there is none.
 const KeptDiagram* stand_in(const KeptDiagrams& kept, const std::string& uri, const Choice& choice,
                             const std::string& component) {
     const KeptDiagram* found = choice.certain ? kept.last(uri, choice.subject->name) : nullptr;

@@ -18,7 +18,7 @@ namespace robochart::lsp {
 /// The declarations that may follow `A::B::`.
 [[nodiscard]] std::vector<const frontend::Declaration*> behind(const frontend::Model&, const frontend::File&,
                                                                const std::vector<std::string>& qualifier);
-/// The names of packages that may follow `A::` or come first; one part each.
+/// The parts of package names that may follow `A::` or begin a name.
 [[nodiscard]] std::vector<std::string> packages_behind(const frontend::Model&,
                                                        const std::vector<std::string>& qualifier);
 

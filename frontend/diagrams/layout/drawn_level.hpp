@@ -23,8 +23,8 @@ struct DrawnPort {
     Side label = Side::right;  ///< the side of the label in the drawing
 };
 
-/// How an edge was drawn. A bend or an end is stored relative to an anchor in each of the two boxes. If the sizes of
-/// the boxes have changed, the bend is placed between the two resulting points.
+/// The route and the label of an edge as a person drew them. A bend or an end is stored relative to an anchor in each
+/// of the two boxes. If the sizes of the boxes have changed, the bend is placed between the two resulting points.
 struct DrawnEdge {
     struct Bend {
         Point from_source, from_target;

@@ -59,7 +59,7 @@ TEST(Budget, IsInterruptedFromOutside) {
     EXPECT_FALSE(budget.interrupted());
     budget.interrupt();
     EXPECT_TRUE(budget.interrupted());
-    EXPECT_THROW(budget.poll(), LimitReached);  // at the first call: known results are not polled again
+    EXPECT_THROW(budget.poll(), LimitReached);  // already at the first call, because a limit that was reached is known
 }
 
 TEST(Budget, NamesTheInnermostPhase) {
@@ -90,7 +90,7 @@ TEST(Budget, CountsTheMemoryOfAProcessAndItsChildren) {
     std::uint64_t bytes = 0;
     for (int i = 0; i < 500 && bytes < (64U << 20U); ++i, usleep(20'000)) bytes = resident_bytes_of_tree(child);
     EXPECT_GE(bytes, 64U << 20U);
-    kill(-child, SIGKILL);  // and its child
+    kill(-child, SIGKILL);  // also ends its child
     waitpid(child, nullptr, 0);
 }
 

@@ -158,7 +158,7 @@ TEST(Order, IsContradictedWhereTheStateBeforeMatters) {
         ASSERT_TRUE(found);
         EXPECT_LT(found->after_less.high, found->after_more.low);
         EXPECT_NE(found->less, found->more);
-        // It is kept more often after an equal predecessor than after a different one.
+        // The state is kept more often after an equal predecessor than after a different one.
         EXPECT_EQ(found->more == found->state, found->next == found->state);
     }
     EXPECT_LE(wrong, 20);

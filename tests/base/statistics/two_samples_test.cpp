@@ -22,7 +22,7 @@ TEST(FisherExact, Ends) {
     EXPECT_NEAR(fisher_exact({0, 100}, {0, 200}), 1, 1e-12);
     EXPECT_NEAR(fisher_exact({100, 100}, {7, 7}), 1, 1e-12);
     EXPECT_NEAR(fisher_exact({0, 0}, {3, 9}), 1, 1e-12) << "no trials say nothing";
-    // All of ten compared with none of ten: two of (20 choose 10) divisions.
+    // Ten of ten successes compared with none of ten: two of (20 choose 10) divisions are as extreme.
     EXPECT_NEAR(fisher_exact({10, 10}, {0, 10}), 2.0 / 184'756, 1e-15);
 }
 
@@ -47,7 +47,8 @@ TEST(FisherExact, ErrsAtMostAsOftenAsItSays) {
 }
 
 TEST(Holm, AdjustsByHand) {
-    // In order .01 * 4, .02 * 3, .03 * 2, .04: no value is below the previous one.
+    // In ascending order, the values are .01 * 4, .02 * 3, .03 * 2 and .04; no adjusted value may be below the previous
+    // one.
     const std::vector<double> adjusted = holm({0.03, 0.01, 0.04, 0.02});
     const std::vector<double> expected{0.06, 0.04, 0.06, 0.06};
     ASSERT_EQ(adjusted.size(), expected.size());

@@ -18,10 +18,10 @@ inline constexpr std::size_t no_box = static_cast<std::size_t>(-1);
 struct SceneBox {
     std::string name;
     layout::Rectangle place;
-    std::size_t parent = no_box;   ///< of boxes, the enclosing box
-    std::size_t port_of = no_box;  ///< of a port, the box on whose border it is
+    std::size_t parent = no_box;   ///< the box that encloses a box
+    std::size_t port_of = no_box;  ///< the box on whose border a port is
     bool round = false;
-    bool frame = false;  ///< contains everything, also lines from the ports on its border
+    bool frame = false;  ///< the box contains everything, also lines from the ports on its border
 };
 
 /// An edge between two boxes of one level.

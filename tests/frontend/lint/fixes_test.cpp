@@ -29,7 +29,7 @@ std::string module_with(const std::string& connection) {
     return with_machine("module M { robotic platform R { event e } cref c = C\n" + connection + " }");
 }
 
-/// Cn2: for any text after the event, and with the platform at either end.
+/// The fix of Cn2 is correct for any text after the event, and with the platform at either end.
 TEST(LintFixes, MakeAConnectionWithThePlatformAsynchronous) {
     for (const char* end : {"", " [mult]", " // by wire"}) {
         for (const char* ends : {"connection R on e to c on e", "connection c on e to R on e"}) {
@@ -69,7 +69,7 @@ TEST(LintFixes, CorrectAnImport) {
     EXPECT_EQ(fixed("import nowhere::* type A"), "import nowhere::* type A");
 }
 
-/// The test for an element in a sequence: the fix is likely, but not certain.
+/// The fix for `in` with a sequence is likely to be right, but not certain.
 TEST(LintFixes, SuggestTheElementsOfASequence) {
     const auto reading = testing::resolved("interface I { const s:Seq(nat) = <1> const b:boolean = 1 in s }");
     EXPECT_EQ(reading->codes(), "RC-T23@1");

@@ -158,7 +158,7 @@ private:
         const char* colours[] = {"red", "green", "blue"};
         const char* relations[] = {" < ", " <= ", " > ", " >= ", " == ", " != "};
         if (kind == 0) return pick(2) == 0 ? "p" : "q";
-        // Only one draw per statement, because compilers evaluate operands in different orders.
+        // Each statement draws only one random number, because compilers evaluate operands in different orders.
         if (kind == 1) {
             const char* relation = pick(2) == 0 ? "==" : "!=";
             return std::string("c ") + relation + " Colour::" + colours[pick(3)];

@@ -150,7 +150,7 @@ TEST(Extremes, ALineOfTenMegabytesIsReadToTheEnd) {
     }
 }
 
-/// The braces of a body are looked for by the indentation of their lines.
+/// The parser searches for the braces of a body by the indentation of their lines.
 TEST(Extremes, AHundredThousandBodiesOnOneLine) {
     std::string bodies;
     for (std::size_t i = 0; i < deep; ++i) bodies += "interface I" + std::to_string(i) + " { } ";

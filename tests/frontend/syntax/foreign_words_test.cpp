@@ -388,7 +388,7 @@ TEST(ForeignForms, AnIfWithoutEndSaysWhichOne) {
     EXPECT_TRUE(fixed->findings.ok()) << fixed->report();
 }
 
-/// Names that only the declarations identify: the finding is that of an unknown name, and its note suggests the
+/// Names whose meaning depends on the declarations: the finding reports an unknown name, and its note suggests the
 /// meaning.
 TEST(ForeignNames, AreUnknownNamesWithANoteAndAFix) {
     const Written forms[] = {

@@ -20,13 +20,13 @@ struct Lowered {
     frontend::Model model;
     System system;
 
-    [[nodiscard]] std::vector<std::string> codes() const;  ///< of all findings except advice (RC-W), by place
+    [[nodiscard]] std::vector<std::string> codes() const;  ///< the codes of all findings except advice (RC-W), by place
     [[nodiscard]] std::string messages() const;
     [[nodiscard]] const Machine& machine(const std::string& path) const;
     [[nodiscard]] const Controller& controller(const std::string& path) const;
     [[nodiscard]] const Node& node(const std::string& machine, const std::string& path) const;
     [[nodiscard]] const Transition& transition(const std::string& machine, const std::string& name) const;
-    /// dump of a transition's guard
+    /// The guard of a transition as text.
     [[nodiscard]] std::string guard(const std::string& machine, const std::string& name) const;
     [[nodiscard]] std::string text(const std::string& machine, const ExprPtr&) const;
 };

@@ -148,7 +148,7 @@ TEST(Incremental, NothingFailsInTextsHoweverBroken) {
     }
 }
 
-/// Two scripts as long as both can be read; one includes the other.
+/// The texts of several scripts, one of which includes the first.
 std::vector<std::string> scripts_of_tests() {
     const std::filesystem::path tests = tests::source_folder().string() + "/tests";
     return {

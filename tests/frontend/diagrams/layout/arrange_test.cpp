@@ -102,7 +102,8 @@ double percent(const Flips& flips) {
     return 100.0 * static_cast<double>(flips.flipped) / static_cast<double>(flips.pairs);
 }
 
-/// With the previous order; a new layout moves more. Random levels have more edges than drawn ones.
+/// The layout uses the previous order; without it, more boxes move. Random levels have more edges than typical
+/// diagrams.
 TEST(Arrange, SmallEditsMoveLittle) {
     EXPECT_LT(percent(flips_after(lengthen_a_label, true)), 0.5);
     EXPECT_LT(percent(flips_after(add_a_state, true)), 4);

@@ -29,13 +29,13 @@ DrawnEdge drawn(std::vector<DrawnEdge::Bend> bends) {
 }
 
 TEST(DrawnRoute, LeadsFromBorderToBorder) {
-    // From middle to middle, 200 apart.
+    // The line leads from middle to middle; the middles are 200 apart.
     EXPECT_THAT(route_as_drawn(drawn({{{0, 0}, {-200, 0}}, {{200, 0}, {0, 0}}}), left_box, right_box),
                 ElementsAre(Point{100, 20}, Point{200, 20}));
 }
 
 TEST(DrawnRoute, KeepsItsBends) {
-    // Leaves the source at its right side, goes down by 60, and up into the target.
+    // The route leaves the source at its right side, goes down by 60, and then up into the target.
     const auto edge = drawn({{{50, 10}, {-150, 10}},
                              {{80, 10}, {-120, 10}},
                              {{80, 70}, {-120, 70}},
@@ -45,8 +45,7 @@ TEST(DrawnRoute, KeepsItsBends) {
                 ElementsAre(Point{100, 30}, Point{130, 30}, Point{130, 90}, Point{250, 90}, Point{250, 40}));
 }
 
-/// A route between the positions that both ends determine: near the source it follows the source, near the target the
-/// target.
+/// If boxes have moved, the bends near the source move with the source, and those near the target with the target.
 TEST(DrawnRoute, FitsBoxesThatHaveMoved) {
     const RouteEnd moved{{200, 12, 100, 40}};
     // The route was drawn straight. Its ends are now 12 pixels apart, and both boxes cover y 20 to 32.

@@ -39,7 +39,7 @@ layout::Level random_machine(std::uint64_t seed, std::size_t most_boxes) {
         layout::Edge edge;
         edge.from = dice.below(boxes);
         edge.to = dice.below(boxes);
-        if (edge.from == edge.to && level.boxes[edge.from].round) continue;  // the rules forbid these
+        if (edge.from == edge.to && level.boxes[edge.from].round) continue;  // the rules forbid such edges
         if (!dice.one_in(3)) edge.label = {dice.size(8, 240), static_cast<double>(14 * (1 + dice.below(5)))};
         level.edges.push_back(edge);
     }

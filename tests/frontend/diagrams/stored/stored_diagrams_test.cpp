@@ -221,8 +221,8 @@ TEST(StoredDiagrams, GiveLinesTheirRoutes) {
     const double x = avoiding.centre().x + 20;
     EXPECT_THAT(t1.points,
                 ElementsAre(Point{going.right(), going.centre().y}, Point{x, going.centre().y}, Point{x, avoiding.y}));
-    // From corner to corner 300 to the right and 190 down; with half of the sizes added, (320, 220) from middle to
-    // middle.
+    // The corner of the second box is 300 to the right of that of the first box, and 190 below it. With half of the
+    // sizes added, the middles are (320, 220) apart.
     EXPECT_NEAR(x - going.centre().x, 340, 0.001);
 }
 
