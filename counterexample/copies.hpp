@@ -19,14 +19,14 @@ public:
     /// `meaning` must outlive the object. Without a value, no copies are distinguished.
     explicit Copies(const std::optional<csp_emit::CopiesMeaning>& meaning) : meaning_(meaning) {}
 
-    /// The copy that performs an event of the whole process, by the event's name there.
+    /// The copy that performs an event, given the event's name in the whole process.
     [[nodiscard]] std::optional<std::uint32_t> of_event(const std::string& name) const;
     /// What the copy does, in words, if the component's own events do not show it; no value otherwise.
     [[nodiscard]] std::optional<std::string> words(const std::string& name) const;
     /// `of_model`: for each leaf, whether it is in definitions of the model. Every copy has the same number of leaves,
     /// in the order of the copies.
     void number(const std::vector<bool>& of_model);
-    /// Called if the leaves cannot be distinguished.
+    /// Must be called if the leaves cannot be distinguished.
     void forget() { leaves_.clear(); }
     [[nodiscard]] std::optional<std::uint32_t> of_leaf(Leaf leaf) const;
     /// "P::M::c::s of robot 1"; "robot 1" if the event belongs to no component of the copy; unchanged without a copy.

@@ -607,7 +607,7 @@ void Interpreter::read_end() {
     End& end = run_.end;
     end.kind = end_kind();
     end.offered = offered_at_the_end();
-    // Steps inside compressed processes after the last event are not the offending step.
+    // A step inside a compressed process after the last event does not cause the violation.
     const auto last =
         std::find_if(run_.steps.rbegin(), run_.steps.rend(), [](const Step& each) { return each.count > 0; });
     if (counterexample_.kind == ViolationKind::trace && last != run_.steps.rend()) end.event = last->event;

@@ -37,8 +37,7 @@ public:
     /// The event as performed in the definition `before`. The transition or statement that causes it is added if only
     /// one is possible.
     [[nodiscard]] Event event(const std::string& name, const Call& before, const std::vector<Call>& after) const;
-    /// The candidates (transitions and statements) for the cause of the event; more than one if the definitions do not
-    /// determine it.
+    /// The transitions and statements that may cause the event; several if the definitions do not determine the cause.
     [[nodiscard]] std::vector<std::string> elements(const std::string& name, const Call& before,
                                                     const std::vector<Call>& after) const;
     /// The known definitions in the description of a process.

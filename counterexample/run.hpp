@@ -52,7 +52,7 @@ struct Event {
     Kind kind = Kind::internal;
     std::string text;       ///< "input a with 3", "t0: i -> S1"
     std::string component;  ///< the instance that performs it, "P::M::ctrl_ref0::stm_ref0"; "" if there is none
-    /// In the resolved model: the transition or statement, if known; otherwise the declaration.
+    /// The element of the resolved model: the transition or statement, if known; otherwise the declaration.
     std::string element;
     std::string via;  ///< the transition or action that causes it: "t1: S1 -> S2"; "" if unknown
     std::vector<Value> values;

@@ -40,7 +40,8 @@ struct ComponentStep {
 /// The text for an element of the resolved model in an instance of its machine: "P::M::c::s P::S::t1".
 [[nodiscard]] std::string element_in(const std::string& component, const std::string& element);
 
-/// What happens in a step: for the machine that it is reported for, and for the others that take part.
+/// The events of a step: the event of the machine for which the step is reported, and those of the other machines that
+/// take part.
 struct Happening {
     Event event;
     std::vector<Event> with;
@@ -81,8 +82,9 @@ public:
     [[nodiscard]] std::set<std::string> elements(const ComponentStep& step) const;
     /// The step of each component in a step of a process.
     [[nodiscard]] std::vector<ComponentStep> taken_apart(process::TermId whole, const process::Transition& step);
-    /// Selects the component, of several that move together, for which a step is reported: a machine before
-    /// connections, and the acting component before the others. `whole`: the name of the event for the whole process.
+    /// Selects the component for which a step is reported if several components move together. Machines have precedence
+    /// over connections, and the acting component over the others. `whole`: the name of the event for the whole
+    /// process.
     [[nodiscard]] Happening happens(const std::vector<ComponentStep>& steps, const std::string& whole) const;
     /// Describes a step of a whole process in the same way.
     [[nodiscard]] Happening happens(process::TermId whole, const process::Transition& step);

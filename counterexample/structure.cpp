@@ -29,7 +29,7 @@ bool offers(const process::Behaviour& part, process::Event event) {
     return std::ranges::find(part.offered, event) != part.offered.end();
 }
 
-/// The components of a part that offer the event, or all components if `event` is null.
+/// Adds the names of the components of a part that offer the event, or of all components if `event` is null.
 void components(const process::Behaviour& part, const process::Event* event, std::vector<std::string>& names) {
     const Parts parts = present(part);
     if (parts.empty() && (event == nullptr || offers(part, *event))) names.push_back(part.state);

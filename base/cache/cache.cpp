@@ -106,7 +106,7 @@ void Cache::keep(const Digest& key, std::string_view content) {
     if (write_below(folder_, name, text).empty()) trim(fmt::format("{}/{}", folder_, name.substr(0, 1)));
 }
 
-/// Also removes incomplete files of processes that were killed.
+/// Removes the least recently used entries beyond the size limit, and incomplete files of processes that were killed.
 void Cache::trim(const std::string& folder) const {
     struct Entry {
         fs::file_time_type used;

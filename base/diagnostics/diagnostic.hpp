@@ -29,7 +29,7 @@ struct Note {
     std::string message;
 };
 
-/// A certain fix: replace the span's text.
+/// A fix that replaces the text of a span.
 struct FixIt {
     Span span;
     std::string replacement;
@@ -57,7 +57,7 @@ public:
     /// Adds a finding. The reference is valid until the next `report`; use it to attach notes and fixes.
     Diagnostic& report(const Rule& rule, Span span, std::vector<std::string> arguments = {});
 
-    /// Sets the budget of the run, which phases that report here poll. The budget must outlive them.
+    /// Sets the budget of the run. Phases that report here poll it, so it must outlive them.
     void within(Budget* budget) { budget_ = budget; }
     [[nodiscard]] Budget* budget() const { return budget_; }
     /// Must be called in every loop whose length depends on the input. Throws LimitReached.

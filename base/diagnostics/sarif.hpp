@@ -17,10 +17,11 @@ namespace robochart::diagnostics {
 [[nodiscard]] Json sarif_file(std::string_view path);
 /// A physical location: a path and a region from `begin` to `end` (exclusive), in code points.
 [[nodiscard]] Json sarif_place(std::string_view path, Position begin, Position end);
-/// A rule: the mistake as a phrase, which also gives the rule its name, and the same in sentences.
+/// A rule. It describes the mistake as a phrase, which also determines the rule's name, and in sentences.
 [[nodiscard]] Json sarif_rule(std::string_view id, std::string_view title, std::string_view text,
                               std::string_view level);
-/// Distinguishes a result from the others of its file, independent of its position: the rule and the subject.
+/// The fingerprint of a result. It distinguishes the result from others in the same file by rule and subject,
+/// independent of its position.
 [[nodiscard]] Json sarif_fingerprint(std::string_view rule, std::string_view subject);
 
 /// One run of the program.

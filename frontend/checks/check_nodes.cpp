@@ -242,7 +242,7 @@ void check_transition(const Transition& transition, Diagnostics& out) {
     check_probability(transition, out);
 }
 
-/// STM3: reports each initial junction after the first.
+/// Reports a wrong number of initial junctions; notes point at each one after the first.
 void wrong_initials(const NodeContainer& container, const Rule& rule, const Declaration& owner,
                     std::vector<std::string> arguments, Diagnostics& out) {
     auto& finding = out.report(rule, owner.name_span, std::move(arguments));

@@ -191,7 +191,7 @@ Lack lack_of(const Caller& caller, const Machine& operation) {
     return lack;
 }
 
-/// STM8 to STM10, reported at the first call.
+/// Checks rules STM8 to STM10 and reports mistakes at the first call.
 void check_call(const Caller& caller, const Stmt& call, const Machine& operation, Diagnostics& out) {
     const std::string& name = caller.machine.name;
     const Lack lack = lack_of(caller, operation);

@@ -13,31 +13,32 @@ using diagnostics::Rule;
 /// Checks all rules below.
 void check(const Model& model, const Names& names, Diagnostics& out);
 
-/// S2 to PT2: nodes, transitions and actions of a machine or operation.
+/// Checks rules S2 to PT2: nodes, transitions and actions of a machine or operation.
 void check_nodes(const Machine& machine, Diagnostics& out);
-/// STM1 to M2, DT: members of interfaces, platforms, machines, operations, controllers and modules.
+/// Checks rules STM1 to M2 and DT: members of interfaces, platforms, machines, operations, controllers and modules.
 void check_component(const Context& context, Diagnostics& out);
-/// DT: members of data types.
+/// Checks rules DT: members of data types.
 void check_type(const TypeDeclaration& type, Diagnostics& out);
-/// C3, C4, C8, M2, STM8 to STM10: what components require and their context provides.
+/// Checks rules C3, C4, C8, M2 and STM8 to STM10: the context of a component provides what the component requires.
 void check_provision(const Component& component, Diagnostics& out);
-/// Cn2 to Cn11 without Cn10, C6, M3: connections of a controller or module.
+/// Checks rules Cn2 to Cn11 (without Cn10), C6 and M3: connections of a controller or module.
 void check_connections(const Component& component, Diagnostics& out);
-/// Cn10: connection ends whose component does not have the event. A component that lacks a whole interface is reported
-/// once, and not at all if its own uses of the events have been reported.
+/// Checks rule Cn10: the component at a connection end has the event. A component that lacks a whole interface is
+/// reported once, and not at all if its own uses of the events have been reported.
 void check_ends(const Model& model, const Names& names, Diagnostics& out);
-/// Cn5 to Cn9: directions of connections compared with what machines send and receive and controllers pass on.
+/// Checks rules Cn5 to Cn9: the direction of a connection agrees with what machines send and receive, and with what
+/// controllers pass on.
 void check_directions(const Component& component, Diagnostics& out);
-/// TT1, TE1, TE4, TE5, CE2 and the untimed reading: clocks and deadlines.
+/// Checks rules TT1, TE1, TE4, TE5 and CE2, about clocks and deadlines, and RC-U01, about untimed checks.
 void check_time(const Machine& machine, Diagnostics& out);
-/// RC-N03: declarations, assertions and csp blocks that share a name.
+/// Checks rule RC-N03: declarations, assertions and csp blocks have different names.
 void check_unique(const Model& model, const Names& names, Diagnostics& out);
-/// RC-N04: imports of names that are declared nowhere.
+/// Checks rule RC-N04: imported names are declared.
 void check_imports(const Model& model, const Names& names, Diagnostics& out);
-/// RC-Q10 to RC-Q12: probabilistic assertions, and parts of assertion files that no verb evaluates. (The parser reports
-/// RC-P33.)
+/// Checks rules RC-Q10 to RC-Q12: probabilistic assertions, and parts of assertion files that no verb evaluates. (The
+/// parser reports RC-P33.)
 void check_probabilistic(const File& file, Diagnostics& out);
-/// RC-Q11, RC-Q12: the form of a `prob property`.
+/// Checks rules RC-Q11 and RC-Q12: the form of a `prob property`.
 void check_property(const Expr& property, Diagnostics& out);
 
 }  // namespace robochart::frontend

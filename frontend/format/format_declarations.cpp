@@ -27,7 +27,7 @@ Doc ModelLayout::braces(ModelPart part, Gap inside, Gap between) {
 
 // ---------------------------------------------------------------- members
 
-/// True if a component with a body in braces begins here. Empty lines are written around such components.
+/// True if a component with a body in braces begins here. The formatter writes empty lines around such components.
 bool ModelLayout::opens_block() const {
     constexpr std::array<std::string_view, 9> words = {"interface", "robotic",  "controller", "stm",     "operation",
                                                        "module",    "datatype", "record",     "function"};

@@ -88,14 +88,14 @@ Doc WordLayout::inline_comments(Gap gap, const std::vector<Piece>& pieces) {
     return among(peek().text, closers) ? result : doc_.cat(result, doc_.blank());
 }
 
-/// Comments that stay on the line of the token before them.
+/// Lays out comments that stay on the line of the token before them.
 Doc WordLayout::trailing(const std::vector<Piece>& pieces, std::size_t count) {
     Doc result = 0;
     for (std::size_t i = 0; i < count; ++i) result = cat({result, doc_.blank(), comment(pieces[i])});
     return result;
 }
 
-/// The comments from the first one that begins a line, up to the next token.
+/// Lays out the comments from the first one that begins a line up to the next token.
 Doc WordLayout::own_lines(Gap gap, const std::vector<Piece>& pieces, std::size_t trailing) {
     const Piece& head = pieces[trailing];
     const bool forced = !head.is_token || (trailing > 0 && pieces[trailing - 1].to_line_end);

@@ -78,7 +78,7 @@ std::string described(const Declaration& part, const Declaration& behind, std::s
     return fmt::format("`{}` ({} `{}`)", part.name, kind, behind.name);
 }
 
-/// An unconnected event and the place where it is used.
+/// An event without a connection, and the place where the machine uses it.
 struct Loose {
     const Event* event = nullptr;
     Span use;

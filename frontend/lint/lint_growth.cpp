@@ -116,7 +116,7 @@ private:
         });
     }
 
-    /// In an assignment to the variable itself, only the step reads the variable.
+    /// Notes which variables are read. In an assignment to a variable itself, a read by its own step does not count.
     void note_reads(const Expr& expr, const Stmt& statement) {
         const Declaration* const own = statement.target ? assigned_root(*statement.target) : nullptr;
         walk(expr, [&](const Expr& part) {

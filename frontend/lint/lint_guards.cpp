@@ -73,7 +73,7 @@ bool is_plain_junction(const State& node) {
     return node.kind == DeclKind::junction || node.kind == DeclKind::initial;
 }
 
-/// RC-W02.
+/// Reports RC-W02: for some values, all guards of a junction are false.
 void check_junction(const Machine& machine, const Graph& graph, const State& node, Diagnostics& out) {
     const auto& ways = graph.out(node);
     if (!is_plain_junction(node) || ways.empty() || ways.size() > max_ways) return;
@@ -93,7 +93,7 @@ void check_junction(const Machine& machine, const Graph& graph, const State& nod
         report.notes.push_back({ways[i]->condition->span, fmt::format("`{}` needs this", ways[i]->name)});
 }
 
-/// RC-W04, RC-W05.
+/// Reports RC-W04 and RC-W05: a transition that can never fire, or a guard that is always true.
 void check_condition(const Graph& graph, const Transition& transition, Never& never, Diagnostics& out) {
     const bool many = graph.out(*transition.source).size() > max_ways;
     if ((!transition.condition && !transition.otherwise) || (transition.otherwise && many)) return;

@@ -39,7 +39,7 @@ struct Finding {
     bool trusted = true;
 };
 
-/// coefficient * term + … + constant; terms are identified by their text.
+/// A linear form coefficient * term + … + constant; terms are identified by their text.
 struct Linear {
     std::map<std::string, double> terms;
     double constant = 0;

@@ -40,7 +40,7 @@ private:
         }
     }
 
-    /// A declaration of the component itself.
+    /// Enters a declaration of the component itself.
     void enter(const Variable& variable) {
         visible_.emplace(variable.name, &variable);
         QualifiedName name;
@@ -49,7 +49,8 @@ private:
         if (literal != nullptr) report(variable, *literal);
     }
 
-    /// A declaration of an interface. It is hidden if the component or an earlier interface declares the same name.
+    /// Enters a declaration of an interface. It is hidden if the component or an earlier interface declares the same
+    /// name.
     void enter_foreign(const Variable& variable, const Context& interface, const InterfaceClause& clause) {
         const auto [first, fresh] = visible_.emplace(variable.name, &variable);
         if (fresh || first->second == &variable) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slips in single statements and transitions: a duplicate transition, a variable assigned to itself, a wait that its
+// Mistakes in single statements and transitions: a duplicate transition, a variable assigned to itself, a wait that its
 // own deadline interrupts.
 #include <map>
 
@@ -23,7 +23,8 @@ std::string as_text(const Transition& transition) {
     return text;
 }
 
-/// RC-W14. Transitions that are enabled together but have different effects are not duplicates; they express a choice.
+/// Reports RC-W14. Transitions that are enabled together but have different effects are not duplicates; they express a
+/// choice.
 void check_copies(const NodeContainer& container, Diagnostics& out) {
     std::map<std::string, const Transition*> seen;
     for (const auto& transition : container.transitions) {
@@ -35,7 +36,7 @@ void check_copies(const NodeContainer& container, Diagnostics& out) {
     }
 }
 
-/// RC-W16.
+/// Reports RC-W16: a statement that waits longer than its deadline.
 void check_deadline(const Stmt& statement, Diagnostics& out) {
     if (statement.kind != StmtKind::deadline || !statement.value || statement.body.empty()) return;
     const auto bound = number_of(*statement.value);
@@ -43,7 +44,7 @@ void check_deadline(const Stmt& statement, Diagnostics& out) {
     out.report(rules::w_deadline, statement.span, {to_text(*statement.body.front()), to_text(*statement.value)});
 }
 
-/// RC-W15.
+/// Reports RC-W15: a variable that is assigned to itself.
 void check_assignment(const Stmt& statement, Diagnostics& out) {
     if (statement.kind != StmtKind::assignment || !statement.target || !statement.value) return;
     const std::string target = to_text(strip(*statement.target));

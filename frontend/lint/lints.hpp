@@ -18,8 +18,8 @@ namespace robochart::frontend {
 
 using diagnostics::Diagnostics;
 
-/// All warnings about a resolved model. Files with errors are skipped. Warnings that consider several files need a
-/// project without errors.
+/// Reports all warnings about a resolved model. Files with errors are skipped. Warnings that consider several files
+/// need a project without errors.
 void lint(const Model& model, const Names& names, Diagnostics& out);
 
 // All warnings in two steps: first those of each file, then those of the project. `written_by` contains the variables
@@ -65,38 +65,42 @@ void add_effects(const State& state, bool during, Effects& effects);
 [[nodiscard]] std::optional<double> number_of(const Expr& expr);
 /// The shortest time that a statement can take, computed from its literals.
 [[nodiscard]] double least_time(const Stmt& statement);
-/// "`a`, `b` and `c`".
+/// The names as a list in a sentence: "`a`, `b` and `c`".
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 
 /// Transitions that can never be taken.
 using Never = std::unordered_set<const Transition*>;
 
-/// RC-W02, RC-W04, RC-W05; fills `never`.
+/// Reports junctions whose guards may all be false (RC-W02), transitions that can never fire (RC-W04) and guards that
+/// are always true (RC-W05). Fills `never`.
 void lint_guards(const Machine& machine, Never& never, Diagnostics& out);
-/// RC-W03.
+/// Reports nodes that cannot be reached (RC-W03).
 void lint_reachability(const Machine& machine, const Never& never, Diagnostics& out);
-/// RC-W06.
+/// Reports variables that are read before they are set (RC-W06).
 void lint_flow(const Machine& machine, const WrittenBy& written_by, Diagnostics& out);
-/// RC-W09.
+/// Reports cycles of transitions that need no event and no time (RC-W09).
 void lint_loops(const Machine& machine, const Never& never, Diagnostics& out);
-/// RC-W10, RC-W11.
+/// Reports differences that may be negative when they are cast to nat (RC-W10), and divisors that may be 0 (RC-W11).
 void lint_arithmetic(const Machine& machine, Diagnostics& out);
-/// RC-W12.
+/// Reports names that hide others (RC-W12).
 void lint_shadowing(const File& file, const Context& context, const Names& names, Diagnostics& out);
-/// RC-W14, RC-W15, RC-W16.
+/// Reports duplicate transitions (RC-W14), assignments of a variable to itself (RC-W15), and statements that wait
+/// longer than their deadline (RC-W16).
 void lint_statements(const Machine& machine, Diagnostics& out);
-/// RC-W21.
+/// Reports variables that grow without bound (RC-W21).
 void lint_growth(const Machine& machine, const WrittenBy& written_by, Diagnostics& out);
-/// RC-W20.
+/// Reports events that are lost while an action waits (RC-W20).
 void lint_missed(const Machine& machine, Diagnostics& out);
-/// RC-W07, RC-W08, RC-W18, over the whole project.
+/// Reports unused declarations (RC-W07), variables that are never read (RC-W08) and clocks that are never reset
+/// (RC-W18), over the whole project.
 void lint_unused(const Model& model, Diagnostics& out);
-/// RC-W01, RC-W17: events that are not connected beyond a component of a controller or module.
+/// Reports events without a connection beyond their component (RC-W01), and connected events that one end never uses
+/// (RC-W17).
 void lint_events(const Component& component, Diagnostics& out);
-/// RC-W19.
+/// Reports an operation that is declared to terminate but cannot end (RC-W19).
 void lint_termination(const Machine& operation, Diagnostics& out);
-/// RC-W13. A machine to which several controllers refer is checked in each of them. `reported` holds the calls reported
-/// so far.
+/// Reports calls that never return (RC-W13). A machine to which several controllers refer is checked in each of them.
+/// `reported` holds the calls reported so far.
 using ReportedCalls = std::unordered_set<const Stmt*>;
 void lint_operations(const Component& controller, ReportedCalls& reported, Diagnostics& out);
 

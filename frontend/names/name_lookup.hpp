@@ -24,8 +24,8 @@ public:
     /// "there is no X `x` …".
     diagnostics::Diagnostic& unknown(const QualifiedName& name, std::string_view what, std::string_view where,
                                      const std::vector<std::string>& candidates);
-    /// Returns true at the first call for this component and interface; only then is a missing member reported. If a
-    /// component has no clause for an interface, it lacks all members of the interface, but this is one mistake.
+    /// Returns true at the first call for this component and interface; a missing member is reported only at that call.
+    /// If a component has no clause for an interface, it lacks all members of the interface, but this is one mistake.
     bool first_missing(const Declaration* component, const Context* interface) {
         return missing_.emplace(component, interface).second;
     }

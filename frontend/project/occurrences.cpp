@@ -87,7 +87,7 @@ private:
             std::ranges::count_if(parts, [](const Part& p) { return p.target || !p.package.empty(); }));
     }
 
-    /// The possible numbers of leading parts that name a package, beginning with none.
+    /// The possible numbers of leading parts that name a package; the first is 0.
     [[nodiscard]] std::vector<std::size_t> package_lengths(const QualifiedName& name) const {
         std::vector<std::size_t> result{0};
         for (std::size_t i = 1; i <= name.parts.size(); ++i)
@@ -236,7 +236,7 @@ private:
         add({span, NameKind::definition, nullptr, std::string(to_text(kind)) + " " + name, declares});
     }
 
-    /// The names of probabilistic assertions and of the definitions that they use.
+    /// Collects the names of probabilistic assertions and of the definitions that they use.
     void probabilistic(const File& file) {
         for (const ProbabilisticDefinition& each : file.probabilistic_definitions)
             if (each.kind != ProbabilisticKind::constant) definition(each.name_span, each.kind, each.name, true);

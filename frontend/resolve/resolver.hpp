@@ -56,10 +56,11 @@ private:
     Typer typer_;
 };
 
-/// Assertions and csp blocks: components along paths, states, clocks, constants (resolver_assertions.cpp). Called after
-/// the declarations of all files are resolved.
+/// Resolves assertions and csp blocks: components along paths, states, clocks, constants (resolver_assertions.cpp).
+/// Called after the declarations of all files are resolved.
 void resolve_assertions(Model& model, Finder& finder, Typer& typer);
-/// Probabilistic assertions and the definitions that they use (resolver_probability.cpp). Called at the same time.
+/// Resolves probabilistic assertions and the definitions that they use (resolver_probability.cpp). Called after the
+/// declarations of all files are resolved.
 void resolve_probabilistic(Model& model, Finder& finder, Typer& typer);
 
 }  // namespace robochart::frontend

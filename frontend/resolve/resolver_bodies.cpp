@@ -136,7 +136,7 @@ void Resolver::connection_end(Connection::End& end, Ends& ends) {
     if (!known) wrong_node(end, ends);
 }
 
-/// Cn1, Cn3: the connected node is not a component of this controller or module.
+/// Reports Cn1 or Cn3: the connected node is not a component of this controller or module.
 void Resolver::wrong_node(Connection::End& end, const Ends& ends) {
     const Component& component = ends.component;
     const bool is_module = component.kind == DeclKind::module;

@@ -148,8 +148,8 @@ Region ProbabilityResolver::region(const QualifiedName& name) const {
 
 // ---------------------------------------------------------------- names
 
-/// A variable, constant or literal of the model, a constant of an assertion file, or one of the labels `deadlock` and
-/// `init`.
+/// Resolves a name to a variable, constant or literal of the model, a constant of an assertion file, or one of the
+/// labels `deadlock` and `init`.
 void ProbabilityResolver::value(Expr& expr) {
     const QualifiedName& name = expr.name;
     const bool simple = name.parts.size() == 1;

@@ -10,7 +10,7 @@ namespace robochart::frontend {
 
 /// Calls `visit` for the expression and everything below it, outermost first.
 void walk(const Expr& expr, const std::function<void(const Expr&)>& visit);
-/// The direct parts of an expression.
+/// Calls `visit` for the direct parts of an expression.
 void for_children(const Expr& expr, const std::function<void(const Expr&)>& visit);
 /// Calls `visit` for the statement and every statement inside it.
 void walk(const Stmt& statement, const std::function<void(const Stmt&)>& visit);

@@ -96,7 +96,7 @@ private:
     void forget(std::size_t begin, std::size_t end);
     bool neural_construct();
     [[nodiscard]] std::size_t indentation(std::size_t token) const;
-    /// If a closing bracket was expected: adds a note at the opening one if that is on another line.
+    /// If a closing bracket was expected, adds a note at the opening bracket if it is on another line.
     void point_to_open(std::string_view what, diagnostics::Diagnostic& finding) const;
     /// The advice of foreign_forms() about the tokens here; "" if there is none.
     [[nodiscard]] std::string_view form_meant(std::string_view expected) const;

@@ -243,7 +243,7 @@ void Parser::assertion_event(Assertion& assertion) {
     if (!accept_word("unit")) expect_word("units");
 }
 
-/// After `X is`: a property, `not equal to Y`, or `reachable in Y`.
+/// Parses what follows `X is`: a property, `not equal to Y`, or `reachable in Y`.
 void Parser::assertion_is(Assertion& assertion) {
     constexpr std::array<std::pair<std::string_view, AssertionKind>, 3> hyphenated = {
         {{"deadlock", AssertionKind::deadlock_free},
@@ -284,7 +284,7 @@ void Parser::unknown_property() {
     throw SyntaxError{};
 }
 
-/// After `X does`: `not terminate`, `not refine Y`.
+/// Parses what follows `X does`: `not terminate` or `not refine Y`.
 void Parser::assertion_does(Assertion& assertion) {
     expect("not");
     assertion.negated = true;

@@ -44,7 +44,7 @@ ExprPtr Parser::literal(ExprKind kind) {
     return result;
 }
 
-/// A suffix of a number, as in `30.5f`.
+/// Skips a suffix of a number, as in `30.5f`.
 void Parser::pass_suffix() {
     const Token suffix = peek();
     const bool adjacent = suffix.span.begin == previous().span.end && !suffix.escaped;
@@ -121,7 +121,7 @@ ExprPtr Parser::bracketed() {
     return missing_expression();
 }
 
-/// The rest of a range after its comma: `b]` or `b)`.
+/// Parses the rest of a range after its comma: `b]` or `b)`.
 void Parser::range_end(Expr& range) {
     range.args.push_back(expression());
     range.upper_closed = at("]");

@@ -7,7 +7,7 @@
 
 namespace robochart::frontend {
 
-/// A member that the grammar allows in any context, or that a rule (STM6, C7, C9, RP3) rejects by name.
+/// Parses a member that the grammar allows in any context, or that a rule (STM6, C7, C9, RP3) rejects there.
 bool Parser::context_member(Context& context) {
     if (at("uses") || at("requires") || at("provides")) return interface_clause(context), true;
     if (at("var") || at("const")) return variable_list(context), true;
@@ -97,7 +97,7 @@ std::unique_ptr<Component> Parser::controller() {
     return controller;
 }
 
-/// `stm …` or a reference, as part of a component.
+/// Parses `stm …` or a reference as a part of a component.
 bool Parser::machine_part(Component& component) {
     if (at("stm")) {
         component.machines.push_back(watched([&] { return machine(); }));

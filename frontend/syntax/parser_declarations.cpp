@@ -124,7 +124,7 @@ std::unique_ptr<Declaration> Parser::enumeration() {
     return type;
 }
 
-/// A superfluous separator, as in `{ NEAR, FAR }` and `package p;`.
+/// Skips a superfluous separator, as in `{ NEAR, FAR }` and `package p;`.
 void Parser::pass_separator(std::string_view reason) {
     if (at(",") || at(";")) pass_superfluous(reason);
 }

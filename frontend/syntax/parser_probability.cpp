@@ -400,7 +400,8 @@ ExprPtr Parser::until(ExprPtr left) {
     return finish(std::move(result), begin);
 }
 
-/// The bound on the number of steps, or null. Its value is an atom, because the formula follows directly.
+/// Parses the bound on the number of steps, if there is one. Its value is an atom, because the formula follows
+/// directly.
 void Parser::step_bound(Expr& path) {
     path.args.emplace_back();
     if (at("[")) {

@@ -18,7 +18,7 @@ bool imports(const File& file, std::string_view package) {
                                [&](const Import& import) { return import.name.parts.front() == package; });
 }
 
-/// The source of a toolkit, added once.
+/// The source of a toolkit. Its text is added at the first call.
 diagnostics::SourceId text_of(const Toolkit& toolkit, diagnostics::SourceManager& sources) {
     const std::string path = "<library>/" + std::string(toolkit.package) + ".rct";
     for (std::uint32_t i = 0; i < sources.size(); ++i)

@@ -57,7 +57,7 @@ void Saturation::comparison(const Machine& machine, ClockId clock, const Expr& e
     }
 }
 
-/// The machine's own comparisons, then those of operations that it calls and that share the caller's clock.
+/// Reads the machine's own comparisons, then those of operations that it calls and that share the caller's clock.
 void Saturation::machine(const Machine& machine, ClockId clock) {
     if (!seen_.insert(machine.package + "::" + machine.path).second) return;
     visit_expressions(machine, [&](const Expr& root, ExprRole) {

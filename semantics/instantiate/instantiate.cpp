@@ -109,8 +109,8 @@ void widen(const Literals& literals, Ranges& ranges, Diagnostics& diagnostics) {
             report_outside(real, Ranges::names[2], to_string(literal), {}, diagnostics);
 }
 
-/// Extends ranges that no option chose beyond the numbers that values are compared with. They stay within the chosen
-/// ranges of the types that contain them.
+/// If no option chose a range, extends it beyond the numbers that values are compared with. The range stays within the
+/// chosen ranges of wider types.
 void reach_beyond(const Compared& compared, Ranges& ranges) {
     const std::array<const std::set<std::int64_t>*, 3> numbers{&compared.nat, &compared.integer, &compared.real};
     for (std::size_t i = 0; i < numbers.size(); ++i) {

@@ -36,7 +36,8 @@ struct Instantiation {
     /// Reals are integers in units of 1/scale. A power of ten; 1 if the model has no decimal literal (as in RoboTool).
     std::int64_t scale = 1;
     std::vector<std::int64_t> nat, integer;
-    /// In units of 1/scale: whole numbers of the range and every decimal literal of the model.
+    /// The values of type real in units of 1/scale: the whole numbers of the range and every decimal literal of the
+    /// model.
     std::vector<std::int64_t> real;
     std::vector<diagnostics::ForeignText> strings{""};  ///< values of type string
     std::int64_t given_size = 2;                        ///< elements of each given type

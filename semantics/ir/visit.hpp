@@ -18,21 +18,23 @@ enum class ExprRole {
 using RootVisitor = std::function<void(const Expr&, ExprRole)>;
 using StmtVisitor = std::function<void(const Stmt&)>;
 
-/// The statement and all statements inside it.
+/// Visits the statement and all statements inside it.
 void visit_statements(const Stmt&, const StmtVisitor&);
-/// All statements of entry, during, exit and transition actions, nodes before transitions, in order.
+/// Visits all statements of entry, during, exit and transition actions in order, nodes before transitions.
 void visit_statements(const Machine&, const StmtVisitor&);
-/// The outermost expressions of the machine: initial values, constants, conditions, guards, triggers and statements.
+/// Visits the outermost expressions of the machine: initial values, constants, conditions, guards, triggers and
+/// statements.
 void visit_expressions(const Machine&, const RootVisitor&);
-/// The expressions among them that a running machine evaluates: those of statements, then of transitions, then
-/// preconditions. Initial values and constants are computed before, and postconditions are claims.
+/// Visits the outermost expressions that a running machine evaluates: first those of statements, then those of
+/// transitions, then preconditions. Initial values and constants are computed before the machine runs, and
+/// postconditions are claims.
 void visit_running(const Machine&, const RootVisitor&);
 /// Calls the function for each variable that a running machine reads, once per read: in expressions, and in assignments
 /// to a part of a variable, which keep the rest.
 void visit_reads(const Machine&, const std::function<void(VariableId)>&);
-/// The outermost expressions of everything except functions: machines, controllers, platforms, properties.
+/// Visits the outermost expressions of machines, controllers, platforms and properties, but not those of functions.
 void visit_expressions(const System&, const RootVisitor&);
-/// The expression and all its operands.
+/// Visits the expression and all its operands.
 void visit_operands(const Expr&, const std::function<void(const Expr&)>&);
 
 /// True for an expression that is a clock: since, sinceEntry or a cast of one.

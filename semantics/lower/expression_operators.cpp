@@ -201,7 +201,7 @@ ExprPtr Expressions::let(const ast::Expr& source, TypeId expected) {
     return share(std::move(expr));
 }
 
-/// args: the predicate (true if absent), then the body if there is one.
+/// The args of a binder are its predicate (true if absent) and, if there is one, its body.
 ExprPtr Expressions::binder(const ast::Expr& source) {
     check_bindings(source);
     Expr expr = start(source, binder_kind(source.kind));

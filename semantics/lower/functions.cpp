@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Functions of the model. A statement that uses a function waits for its precondition (semantics 3.5). A function
-// without a definition is a constant (3.13).
+// without a definition is a constant (semantics 3.13).
 #include <algorithm>
 #include <utility>
 

@@ -116,7 +116,7 @@ std::string node_path(const ast::State& state) {
     return path;
 }
 
-/// The path of the state relative to the subject: from the subject to the machine, then the node's path.
+/// Sets the path of the state relative to the subject: from the subject to the machine, then the node's path.
 void Properties::reachable(const ast::Assertion& source, Property& property) {
     const auto machine = component(source.other_path, source.other);
     if (!machine || source.state == nullptr) return;

@@ -178,7 +178,7 @@ private:
         }
     }
 
-    /// The rules in the files of the assertion file's folder.
+    /// Adds the rules in the files of the assertion file's folder.
     void rules() {
         constexpr int function = 3;
         const std::string& path = sources_.path(source_);

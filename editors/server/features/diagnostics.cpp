@@ -39,7 +39,8 @@ Json document_diagnostic(Session& session, View params) {
     return Json::object({{"kind", "full"}, {"items", std::move(items)}});
 }
 
-/// An editor that requests diagnostics of open documents is not sent any for them; it would show them twice.
+/// If the editor requests the diagnostics of open documents, the server does not send them as well, because the editor
+/// would show them twice.
 void publish(Session& session) {
     bool refresh = false;
     for (const auto& project : session.workspace.projects()) {

@@ -34,8 +34,8 @@ void take_changes(OpenText& document, View params, Encoding encoding,
 /// The findings that the editor has received.
 class Published {
 public:
-    /// Sends the findings that changed. An editor that requests the findings of open documents is not sent any for
-    /// them; it would show them twice. `opened`: null for a document that is not open.
+    /// Sends the findings that changed. If the editor requests the findings of open documents, the server does not send
+    /// them as well, because the editor would show them twice. `opened`: null for a document that is not open.
     void send(Session& session, std::map<std::string, Json> found,
               const std::function<const OpenText*(const std::string& uri)>& opened);
 

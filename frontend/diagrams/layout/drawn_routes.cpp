@@ -13,7 +13,7 @@
 namespace robochart::diagrams::layout {
 namespace {
 
-/// A horizontal segment at a y, or a vertical one at an x.
+/// A horizontal segment with a given y, or a vertical segment with a given x.
 struct Piece {
     bool horizontal = true;
     double at = 0;

@@ -13,9 +13,9 @@ namespace robochart::diagrams::layout {
 class FreeSpace {
 public:
     void add(const Rectangle& taken) { rectangles_.push_back(taken); }
-    /// A line through these points.
+    /// Adds a line through these points.
     void add(std::span<const Point> line);
-    /// The border of a rectangle without its inside.
+    /// Adds the border of a rectangle without its inside.
     void add_border(const Rectangle& it);
 
     /// How much of the rectangle is occupied; 0 if it is free.

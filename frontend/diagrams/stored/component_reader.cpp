@@ -212,7 +212,7 @@ private:
 
     // ---------------------------------------------------------------- boxes
 
-    /// The areas in a shape, without those of the shapes inside it.
+    /// Collects the areas in a shape, without those of the shapes inside it.
     void areas_in(std::size_t shape, std::vector<std::size_t>& areas) const {
         for (const std::size_t child : children_[shape]) {
             const AirdElement* element = element_of(child);

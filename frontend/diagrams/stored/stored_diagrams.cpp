@@ -87,7 +87,7 @@ private:
     std::size_t connections_ = 0;
 };
 
-/// Empty if the file does not exist or cannot be read; the latter is reported.
+/// The contents of the file; empty if it does not exist or cannot be read. An unreadable file is reported.
 Aird read_file(const std::string& path, diagnostics::SourceManager& sources, diagnostics::Diagnostics& out) {
     std::error_code error;
     if (!fs::exists(fs::symlink_status(path, error))) return {};

@@ -40,7 +40,7 @@ TEST(Escape, CommentsStayOnTheirLine) {
     EXPECT_EQ(comment_text("blank behind \\ "), "blank behind \\x5c ");
     EXPECT_EQ(comment_text("\?\?/"), "?\\x3f/");
     EXPECT_EQ(comment_text("\r\x0b\x0c"), "\\r\\x0b\\x0c");
-    // Line separators and direction marks, which can make code look like a comment.
+    // Line separators and direction marks can make code look like a comment.
     EXPECT_EQ(comment_text("\xe2\x80\xa8\xe2\x80\xae"), "\\u2028\\u202e");
     EXPECT_EQ(comment_text("caf\xc3\xa9"), "caf\xc3\xa9");
 }

@@ -30,8 +30,8 @@ void expect_laws(const Example& example);
 /// All texts without syntax errors in the repository and, if present, next to it; and two texts with every construct.
 [[nodiscard]] const std::vector<Example>& examples();
 
-/// The text with other blanks between its words; `choose` maps the old text of a gap to the new one. It inserts no line
-/// end where this would change the meaning.
+/// The text with other blanks between its words; `choose` maps the old text of each gap to its new text. It inserts no
+/// line end where this would change the meaning.
 [[nodiscard]] Example respaced(const Example& example, const std::function<std::string(std::string_view)>& choose);
 /// The text with random blanks, line ends and comments.
 [[nodiscard]] Example respaced(const Example& example, random_models::Random& random);

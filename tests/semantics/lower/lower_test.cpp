@@ -105,8 +105,8 @@ TEST(LowerExpressions, FunctionsAreLoweredAtFirstUseAndWarnedOf) {
     EXPECT_EQ(lowered->text("S", lowered->transition("S", "a").action->value), "half(2r)");
 }
 
-/// A block defines a function for the times of the block; a block with another name does not. In a time without
-/// assertions no definition is needed.
+/// A block defines a function for the semantics (timed, untimed) of the block; a block with another name does not. A
+/// semantics without assertions needs no definition.
 TEST(LowerExpressions, FunctionsThatBlocksDefineAreNotWarnedOf) {
     const auto codes = [](const std::string& blocks) {
         return lower_text("package a::b\nfunction half(n:nat):nat { }\n" +
