@@ -75,8 +75,8 @@ bool is_type(DeclKind kind) {
     return kind == DeclKind::primitive_type || kind == DeclKind::record_type || kind == DeclKind::enumeration;
 }
 
-/// True if two declarations may not share a name: those of the same kind. Literals and functions may share names with
-/// components.
+/// True if two declarations may not share a name, because they have the same kind. Literals and functions may share
+/// names with components.
 bool clash(const Declaration& a, const Declaration& b) {
     if (a.kind == DeclKind::enum_literal || b.kind == DeclKind::enum_literal)
         return a.kind == b.kind && a.parent == b.parent;

@@ -417,7 +417,8 @@ bool Parser::body_left_out() {
     return true;
 }
 
-/// `P=? [ F p ]`, `Rmax<=3 [ ... ]`, as in PRISM. Reported as a whole; the rest of the claim is skipped.
+/// `P=? [ F p ]`, `Rmax<=3 [ ... ]`, as in PRISM. The form is reported as a whole, and the rest of the claim is
+/// skipped.
 void Parser::prism_query() {
     constexpr std::array<std::string_view, 6> words = {"P", "Pmin", "Pmax", "R", "Rmin", "Rmax"};
     const Token word = peek();

@@ -29,8 +29,8 @@ void visit_expressions(const Machine&, const RootVisitor&);
 /// transitions, then preconditions. Initial values and constants are computed before the machine runs, and
 /// postconditions are claims.
 void visit_running(const Machine&, const RootVisitor&);
-/// Calls the function for each variable that a running machine reads, once per read: in expressions, and in assignments
-/// to a part of a variable, which keep the rest.
+/// Calls the function for each variable that a running machine reads, once per read. Expressions read variables, and so
+/// do assignments to a part of a variable, because they keep its other parts.
 void visit_reads(const Machine&, const std::function<void(VariableId)>&);
 /// Visits the outermost expressions of machines, controllers, platforms and properties, but not those of functions.
 void visit_expressions(const System&, const RootVisitor&);

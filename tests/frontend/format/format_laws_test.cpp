@@ -44,7 +44,7 @@ TEST(FormatLaws, HoldUnderRandomBlanksAndComments) {
     EXPECT_GT(correct, tried / 2) << "most mutants are not models any more";
 }
 
-/// Each example is combined with some forms of a comment in turn: ROBOCHART_SEEDS=7 tries each example with all.
+/// Each example is tried with some of the forms of a comment; ROBOCHART_SEEDS=7 tries each example with all of them.
 TEST(FormatLaws, HoldWithACommentInEveryGap) {
     const std::vector<std::string> comments = {" /* c */ ",  " // c\n",    "\n// c\n",  "\n/* c */\n",
                                                "\n/* c */ ", " /* c */\n", "/* c\nd */"};
@@ -58,8 +58,8 @@ TEST(FormatLaws, HoldWithACommentInEveryGap) {
         }
 }
 
-/// Names of any length, so that lines may break anywhere, in turn over the examples: ROBOCHART_SEEDS=4 tries each
-/// example with all.
+/// Names of several lengths, so that lines may break anywhere. Each example is tried with some of the lengths;
+/// ROBOCHART_SEEDS=4 tries each example with all of them.
 TEST(FormatLaws, HoldForLongNames) {
     const std::vector<std::size_t> lengths = {2, 8, 30, 130};
     for (const std::uint64_t seed : seeds(1))

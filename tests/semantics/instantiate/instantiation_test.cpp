@@ -217,7 +217,7 @@ TEST(Instantiate, StrongerNamesOverrideHoweverTheyAreSpelled) {
     EXPECT_EQ(not_overridden(system, {{"S::c", "1"}, {"d", "2"}}, {{"c", "3"}}), (GivenConstants{{"d", "2"}}));
     EXPECT_EQ(not_overridden(system, {{"P::S::d", "2"}}, {{"d", "3"}}), GivenConstants{});
     EXPECT_EQ(not_overridden(system, {{"d", "2"}}, {{"P::S::d", "3"}, {"ref::d", "3"}}), GivenConstants{});
-    // The machine's own constant is also that of its instances.
+    // A value of the machine's own constant also applies to its instances.
     EXPECT_EQ(not_overridden(system, {{"ref::c", "1"}}, {{"S::c", "3"}}), GivenConstants{});
     EXPECT_EQ(not_overridden(system, {{"S::c", "1"}}, {{"ref::c", "3"}}), (GivenConstants{{"S::c", "1"}}));
     // One of the constants called `c` is not overridden, so `c` is kept. (Both names together are then rejected.)

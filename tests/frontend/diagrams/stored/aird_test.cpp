@@ -145,7 +145,7 @@ TEST(Aird, ReadingPollsTheBudget) {
     EXPECT_THROW((void)read_aird(aird_text(""), &budget), diagnostics::LimitReached);
 }
 
-/// Ids that refer to themselves, to each other or to nothing are only treated as names.
+/// Ids that refer to themselves, to each other or to no element are treated as names only.
 TEST(Aird, FollowsNoIds) {
     const Aird aird = read_aird(aird_text(
         aird_diagram(line_element("a", "a", "#a", "a", "b", "a") + line_element("b", "b", "#b", "b", "a", "b"),
