@@ -63,7 +63,7 @@ public:
     [[nodiscard]] const std::string& name(process::Event event) const {
         return context_.session.event_table().name(event);
     }
-    /// For tau, the name of the hidden event.
+    /// The name of an event; for tau, the name of the hidden event.
     [[nodiscard]] const std::string& name_of(process::Event event, process::Event revealed) const {
         return name(event == process::tau ? revealed : event);
     }

@@ -123,7 +123,8 @@ std::string Stepper::reason(const ir::Transition& transition, const Standing& st
                        values.empty() ? "" : fmt::format(" ({})", fmt::join(values, ", ")));
 }
 
-/// For a process that is not a component of a model: the events that its components offer and the process does not.
+/// The events that the components of a process offer and the process itself does not; for a process that is not a
+/// component of a model.
 std::vector<Absence> Stepper::blocked() {
     std::vector<Absence> result;
     const std::optional<process::Behaviour>& whole = structure();

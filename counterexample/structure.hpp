@@ -13,7 +13,7 @@ namespace robochart::runs {
 
 /// The text of a node of the tree: the sign of an operator, or the state of a component.
 [[nodiscard]] std::string part_text(const process::Behaviour&);
-/// For a component: "offers {a, b} and hidden steps"; events beyond the twelfth are only counted.
+/// The offers of a component as text: "offers {a, b} and hidden steps"; events beyond the twelfth are only counted.
 [[nodiscard]] std::string offers_text(const process::Behaviour&, const process::EventTable&);
 
 /// An event that a component offers and the whole process does not.

@@ -13,7 +13,7 @@ namespace robochart::diagnostics {
 /// run sets it.
 inline std::atomic<bool> program_ends{false};
 
-/// For destructors of large objects: destroys the object, unless the program ends.
+/// Destroys a large object, unless the program ends. Destructors of large objects call it for their members.
 template <class T>
 void discard(std::unique_ptr<T>& large) {
     if (!program_ends) return large.reset();

@@ -26,14 +26,14 @@ private:
     std::uint64_t bits_ = 0;
 };
 
-/// Where a name is written: its file and the declaration around it (may be null).
+/// The place of a name: its file and the declaration around it (may be null).
 struct Place {
     const File* file = nullptr;
     const Declaration* inside = nullptr;
 };
 
-/// How near two files are: the number of folders that contain both, plus one. A file is nearest to itself; toolkits are
-/// farther away than any other file.
+/// The nearness of two files: the number of folders that contain both, plus one. A file is nearest to itself; toolkits
+/// are farther away than any other file.
 [[nodiscard]] std::size_t nearness(const File& a, const File& b);
 
 /// All names declared at package level or inside components, by their full names such as `P::C::S`.

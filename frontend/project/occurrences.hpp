@@ -21,7 +21,7 @@ enum class NameKind {
     unknown,        ///< not found; a finding reports it
 };
 
-/// How a variable, clock or event is used.
+/// The use of a variable, clock or event.
 enum class Access { none, read, write };
 
 /// A name at a place in a text. Each part of a qualified name is a separate occurrence.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a path to a resolved model. A folder is a project. For a single file, the files of its folder that it needs are
-// loaded as well.
+// Turns a path into a resolved model. A folder is a project. For a single file, the files of its folder that it needs
+// are loaded as well.
 #include "frontend/project/project.hpp"
 
 #include <fmt/format.h>

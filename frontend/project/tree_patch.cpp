@@ -242,7 +242,7 @@ std::string outside_of(File& file) {
         const Emptied emptied(file);
         return out + "\n" + to_text(file);
     }
-    // Only other assertions refer to these, and assertions are resolved again after every change.
+    // Only assertions refer to the contents of an assertion file, and assertions are resolved again after every change.
     for (const Import& import : file.imports) out += import.name.text() + (import.wildcard ? "::* " : " ");
     for (const auto& declaration : file.declarations) out += to_text(*declaration);
     return out + "\n" + file.package.text();

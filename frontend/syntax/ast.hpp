@@ -99,7 +99,7 @@ enum class ExprKind {
     since,          ///< since(name): Clock
     since_entry,    ///< sinceEntry(name): State
     parenthesised,  ///< ( args[0] ) kept for the printer
-    // Only in probabilistic assertions.
+    // The kinds up to `simulation` occur only in probabilistic assertions.
     path,  ///< path formula: `path`; args[0] optional bound on the steps with its relation `text`, otherwise operands
     probability,  ///< Prob `text` args[1] of [args[0]]; without args[1] a query (`=?`); args[2] optional simulation
     reward,       ///< Reward {name} `text` args[1] of [args[0]]; args[1] and args[2] as for Prob

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From text to a syntax tree.
+// Turns a text into a syntax tree.
 #pragma once
 
 #include <memory>

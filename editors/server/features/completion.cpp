@@ -281,7 +281,7 @@ private:
             for (const CspBlock& block : file->csp_blocks) add(block.name, function, Rank::project, "csp", block.name);
     }
 
-    /// After `A::B::`: adds the names of suitable kinds.
+    /// Adds the names of suitable kinds after `A::B::`.
     void qualified() {
         const auto fits = [&](DeclKind kind) {
             switch (context_.wanted) {
@@ -306,7 +306,7 @@ private:
         if (context_.wanted == Wanted::import) add("*", 14, Rank::word, "everything", "*");
     }
 
-    /// After `a[1].f.`: adds fields. After an event, a value is expected instead.
+    /// Adds the fields after `a[1].f.`. After an event and `.`, a value is expected instead.
     void fields() {
         const auto first = [&](const Declaration* each) { return each->name == context_.value.front(); };
         if (scope_ == nullptr) return;

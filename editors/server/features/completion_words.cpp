@@ -20,7 +20,7 @@ const Words part_words = {"operation", "opref", "stm", "sref", "connection"};
 const Words module_words = {"robotic platform", "rref", "controller", "cref", "connection"};
 const Words action_words = {"entry", "during", "exit"};
 const Words contract_words = {"precondition", "postcondition"};
-/// In the order of the grammar; `#C` and `<{ e }` are between `trigger` and `condition`.
+/// The clauses in the order of the grammar; `#C` and `<{ e }` are between `trigger` and `condition`.
 const Words clause_words = {"from", "to", "trigger", "probability", "condition", "action"};
 
 Words joined(std::initializer_list<Words> lists) {

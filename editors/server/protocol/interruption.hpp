@@ -45,7 +45,7 @@ public:
     [[nodiscard]] bool is_cancelled(const Json& id) const;
 
 private:
-    /// How long work may continue after the editor requests to exit, so that quick requests can still be answered.
+    /// Work may continue for this time after the editor requests to exit, so that quick requests can still be answered.
     static constexpr std::chrono::milliseconds grace{500};
 
     [[nodiscard]] bool holds_cancelled(const Json& id) const;

@@ -52,7 +52,7 @@ void add_places_beside(const Point& a, const Point& b, const Size& label, std::v
 std::vector<Rectangle> label_places(const std::vector<Point>& line, const Size& label, const Point* offset) {
     std::vector<Rectangle> places;
     const Point middle = middle_of(line);
-    constexpr double far = 25;  // a label farther from its line cannot be assigned to it by the reader
+    constexpr double far = 25;  // a reader cannot assign a label that is farther away to its line
     if (offset != nullptr && std::abs(offset->x) < label.width / 2 + far &&
         std::abs(offset->y) < label.height / 2 + far)
         places.push_back({middle.x + offset->x - label.width / 2, middle.y + offset->y - label.height / 2, label.width,
@@ -62,7 +62,7 @@ std::vector<Rectangle> label_places(const std::vector<Point>& line, const Size& 
     const auto length = [&](std::size_t i) { return std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y); };
     std::ranges::stable_sort(pieces, [&](std::size_t a, std::size_t b) { return length(a) > length(b); });
     for (const std::size_t i : pieces) add_places_beside(line[i - 1], line[i], label, places);
-    // Then places farther above and below.
+    // The last candidates are places farther above and below.
     for (const double away : {16.0, 32.0, 48.0, 64.0, 96.0, 128.0})
         for (const double part : {0.5, 0.1, 0.9}) {
             const double x = middle.x - part * label.width;

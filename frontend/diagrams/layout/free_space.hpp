@@ -18,7 +18,7 @@ public:
     /// Adds the border of a rectangle without its inside.
     void add_border(const Rectangle& it);
 
-    /// How much of the rectangle is occupied; 0 if it is free.
+    /// The occupied area of the rectangle; 0 if it is free.
     [[nodiscard]] double taken(const Rectangle& it) const;
     /// The first free place; if there is none, the least occupied one. There must be at least one place.
     [[nodiscard]] Rectangle best(std::span<const Rectangle> places) const;

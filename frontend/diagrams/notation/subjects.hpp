@@ -20,8 +20,8 @@ struct Subject {
 /// True for a component, which has its own diagram.
 [[nodiscard]] bool has_diagram(const frontend::Declaration& declaration);
 
-/// In textual order: modules, controllers, machines, operations and platforms (also inline ones), then every package
-/// with types, functions or interfaces. `paths`: the paths of the texts, which name packages without a name.
+/// Lists, in textual order, all modules, controllers, machines, operations and platforms (also inline ones), then every
+/// package with types, functions or interfaces. `paths`: the paths of the texts, which name packages without a name.
 [[nodiscard]] std::vector<Subject> subjects(const frontend::Model& model, const diagnostics::SourceManager& sources);
 
 /// The diagram. A model with errors is drawn as far as possible; an unresolved name is drawn as a box. Throws

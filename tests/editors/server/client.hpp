@@ -165,7 +165,7 @@ public:
         constexpr std::int64_t error = 1;
         return codes_up_to(error, uri);
     }
-    /// Also includes warnings.
+    /// "CODE@line" of each finding, including warnings; lines start at 1.
     [[nodiscard]] std::string all_codes(const std::string& uri = "file:///p/a.rct") const {
         constexpr std::int64_t information = 3;
         return codes_up_to(information, uri);

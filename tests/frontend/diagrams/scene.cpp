@@ -32,7 +32,7 @@ std::vector<Segment> segments_of(const Scene& scene) {
     return segments;
 }
 
-/// Whether the segment goes through the interior, more than `margin` from the border.
+/// True if the segment goes through the interior, more than `margin` from the border.
 bool through(const Segment& segment, const Rectangle& it, double margin) {
     return segment.low_x < it.right() - margin && segment.high_x > it.x + margin &&
            segment.low_y < it.bottom() - margin && segment.high_y > it.y + margin;
@@ -66,7 +66,7 @@ private:
             if (inner == outer) return true;
         return false;
     }
-    /// Whether one box contains the other, or is a port on its border or on the border of a box inside it.
+    /// True if one box contains the other, or is a port on its border or on the border of a box inside it.
     [[nodiscard]] bool belong_together(std::size_t a, std::size_t b) const {
         const std::size_t owner_a = scene_.boxes[a].port_of;
         const std::size_t owner_b = scene_.boxes[b].port_of;
@@ -113,7 +113,7 @@ private:
         return owner.frame ? from.port_of : owner.parent;
     }
 
-    /// Whether lines may join at a circle or port.
+    /// True if lines may join at a circle or port.
     [[nodiscard]] bool may_meet(std::size_t a, std::size_t b) const {
         for (const std::size_t x : {scene_.lines[a].from, scene_.lines[a].to})
             for (const std::size_t y : {scene_.lines[b].from, scene_.lines[b].to})

@@ -21,7 +21,7 @@ struct Example {
 [[nodiscard]] std::string formatted(const std::string& text, bool is_assertions = false);
 
 [[nodiscard]] bool is_correct(const Example& example);
-/// Whether no part of the text is kept unparsed (properties of probabilities).
+/// True if no part of the text is kept unparsed (properties of probabilities).
 [[nodiscard]] bool is_read_whole(const Example& example);
 
 /// Checks that no word or comment is lost, the tree is the same, and formatting is idempotent.

@@ -58,7 +58,7 @@ public:
         resolution_.resolve(model_, findings);
         return said(model_, sources_, findings);
     }
-    /// Whether the last resolution skipped some files.
+    /// True if the last resolution skipped some files.
     [[nodiscard]] bool left_others() const { return resolution_.files_resolved() < model_.files.size(); }
     [[nodiscard]] const Project& project() const { return project_; }
     [[nodiscard]] std::size_t resolved() const { return resolution_.files_resolved(); }

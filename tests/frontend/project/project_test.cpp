@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From paths to models: which files are loaded or rejected, and which belong together.
+// Models loaded from paths: which files are loaded or rejected, and which belong together.
 #include <gtest/gtest.h>
 
 #include <unistd.h>

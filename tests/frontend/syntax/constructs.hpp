@@ -17,7 +17,7 @@ std::ostream& operator<<(std::ostream& out, const Row& row);
 
 /// Expressions that bind tightest.
 [[nodiscard]] const std::vector<Row>& atoms();
-/// From the lowest to the highest precedence; each level combined with its neighbours.
+/// Operators from the lowest to the highest precedence; each level is combined with its neighbours.
 [[nodiscard]] const std::vector<Row>& operators();
 /// Types.
 [[nodiscard]] const std::vector<Row>& types();

@@ -105,7 +105,7 @@ bool has(const ExprPtr& expr, ExprKind kind) {
     return false;
 }
 
-/// Whether the condition is true for some values of the clocks.
+/// True if the condition is true for some values of the clocks.
 bool possible(const ExprPtr& condition, const Values& values, std::uint32_t clocks) {
     for (std::uint32_t each = 0; each < (1U << clocks); ++each)
         if (value(condition, values, each)) return true;
