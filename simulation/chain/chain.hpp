@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Markov chain of a swarm that is estimated from trials, its answers, and whether fresh trials contradict it. An
-// answer bounds all chains within intervals that hold jointly. It is a statement about the swarm only if the swarm is
-// such a chain; the fresh trials are used to refute that.
+// A Markov chain of a swarm, estimated from trials, and its answers to questions. Fresh trials show whether they
+// contradict the chain. An answer bounds all chains within intervals that hold jointly. The answer applies to the swarm
+// only if the swarm is such a chain; the fresh trials may refute this assumption.
 #pragma once
 
 #include <cstdint>
@@ -61,9 +61,9 @@ struct OrderFinding {
     statistics::OrderContradiction found;
 };
 
-/// Searches all sequences for such a dependence, by intervals that hold jointly at the greatest confidence of the
-/// questions. No value: the sequences do not show one (statistics::order_contradiction). Throws
-/// diagnostics::LimitReached.
+/// Searches all sequences for a state whose successor depends on the state before it, using intervals that hold jointly
+/// at the greatest confidence of the questions. No value if the sequences show no such dependence
+/// (statistics::order_contradiction). Throws diagnostics::LimitReached.
 [[nodiscard]] std::optional<OrderFinding> order_finding(const std::vector<ChainAsked>&, const statistics::Permitted&,
                                                         const std::vector<statistics::StateSequence>&,
                                                         diagnostics::Budget* = nullptr);
@@ -82,9 +82,9 @@ struct Excluded {
                                                                   const std::vector<TrialResult>&,
                                                                   std::vector<Excluded>& excluded);
 
-/// Answers a question by a chain whose intervals are estimated from the first half of the sequences, and checks it on
-/// the other half. Half of the question's error is used for the intervals, half for the checks. The samples are those
-/// of the trials.
+/// Answers a question by a chain whose intervals are estimated from the first half of the sequences, and checks the
+/// answer on the other half. Half of the question's error is used for the intervals, half for the checks. The samples
+/// are those of the trials.
 [[nodiscard]] ChainAnswer chain_answer(const Scenario&, const ChainAsked&, const statistics::Permitted&,
                                        const std::vector<statistics::StateSequence>&, const std::vector<TrialResult>&,
                                        diagnostics::Budget*);

@@ -40,10 +40,10 @@ struct ChainResult {
 [[nodiscard]] std::string answers_text(const ChainResult&);
 /// How the chain was estimated, in lines.
 [[nodiscard]] std::string study_text(const Scenario&, const ChainStates&, const ChainResult&);
-/// One line.
+/// Summarises the results on one line.
 [[nodiscard]] std::string chain_summary(const ChainResult&);
-/// One row for each permitted transition that occurred or that leaves a state that occurred: counts, and the interval
-/// at the confidence of the first question.
+/// Writes a row for each permitted transition that occurred, or whose source state occurred. A row contains the counts,
+/// and the interval at the confidence of the first question.
 [[nodiscard]] std::string transitions_csv(const ChainStates&, const statistics::Permitted&,
                                           const statistics::TransitionCounts&, double error);
 /// A row for each check of each answer.

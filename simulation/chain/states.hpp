@@ -46,8 +46,9 @@ public:
     /// Represents no state.
     static constexpr std::size_t none = ~std::size_t{0};
 
-    /// The states for a scenario with an abstraction. Its measures must know the numbers of their states. If the steps
-    /// of a robot are given, only states that its classes permit. Throws TooManyStates.
+    /// Computes the states for a scenario with an abstraction. The measures of the scenario must contain the numbers of
+    /// their states. If the steps of a robot are given, the result contains only states that the robot's classes
+    /// permit. Throws TooManyStates.
     ChainStates(const Scenario&, std::optional<RobotSteps>);
 
     /// The state in which every trial begins, before the first state of the swarm.
@@ -79,7 +80,7 @@ private:
     void find_distributions(const std::vector<std::uint32_t>& classes);
     void distribute(Distribution& so_far, std::size_t at, std::uint32_t left);
     void find_states(std::size_t at, Tuple& so_far);
-    /// The classes of the distinctions by `in_state` for these robots; 0 for the others.
+    /// The classes of the distinctions by `in_state` for these robots; 0 for all other distinctions.
     [[nodiscard]] Tuple projected(const Distribution&, const std::vector<std::uint32_t>& classes) const;
     [[nodiscard]] bool fits(const Tuple&) const;
     [[nodiscard]] Tuple robots_in(const Tuple&) const;

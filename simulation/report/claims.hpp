@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims about probabilities, judged on the answers of trials in the order of their seeds. So the verdict and the
-// trials that it is based on do not depend on which trial ends first.
+// Judges claims about probabilities on the answers of trials, in the order of their seeds. Therefore the verdict, and
+// the trials that a verdict is based on, do not depend on which trial ends first.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace robochart::simulation {
 
-/// `estimated`: the result of an estimate after all its trials.
+/// `estimated` is the result of an estimate after all its trials.
 enum class ClaimVerdict { holds, fails, open, estimated };
 
 /// The answer of one trial to a claim.
@@ -68,9 +68,9 @@ private:
 [[nodiscard]] std::string evidence_text(const Claim&, const ClaimResult&);
 /// One line per claim: verdict, the claim as written, and its basis.
 [[nodiscard]] std::string claims_text(const Scenario&, const std::vector<ClaimResult>&);
-/// The world that the probabilities are about, line by line, so that a reader can judge the results.
+/// Describes the world that the probabilities refer to, line by line, so that a reader can judge the results.
 [[nodiscard]] std::vector<std::string> world_lines(const Scenario&);
-/// The same, indented.
+/// Returns the lines of the description, indented.
 [[nodiscard]] std::string world_text(const Scenario&);
 
 }  // namespace robochart::simulation

@@ -36,7 +36,7 @@ struct LegendEntry {
 /// Legend entries in rows.
 class Legend {
 public:
-    /// At most `width` wide, in the units of the picture; `unit`: the size of a dot.
+    /// Makes a legend that is at most `width` wide, in the units of the picture. `unit` is the size of a dot.
     Legend(std::vector<LegendEntry> entries, double width, double unit);
     [[nodiscard]] double height() const { return height_; }
     /// The legend with its upper left corner at this point.

@@ -33,7 +33,7 @@ std::string framed(const WorldDrawing& world, const Legend& legend, const std::s
            world.scale_bar(view.left + view.width, view.top + view.height + world.dots(30)) + inside + "</svg>\n";
 }
 
-/// The view including the margins of such a picture.
+/// Returns the view of a picture of one world, including its margins.
 View around(const WorldDrawing& world, double above) {
     const View& view = world.view();
     return {view.left - world.dots(left_margin), view.top - above - world.dots(2 * margin),

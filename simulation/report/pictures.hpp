@@ -24,8 +24,9 @@ namespace robochart::simulation {
 
 /// The world of a page.
 [[nodiscard]] WorldDrawing page_world(const Scenario&, const View&, const std::string& prefix);
-/// A trial's last frame for a page whose script moves the robots. Each robot is a `use` element of the symbol of its
-/// state, with the class `sim-robot` and `data-robot`. Ids begin with `prefix`. The page must contain the style rules.
+/// Draws the last frame of a trial for a page whose script moves the robots. Each robot is a `use` element of the
+/// symbol of its state, with the class `sim-robot` and `data-robot`. Ids begin with `prefix`. The page must contain the
+/// style rules.
 [[nodiscard]] std::string world_svg(const Scenario&, const View&, const Frame& last, const Machines&,
                                     const std::string& prefix);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A time of a trial as pixels, for videos.
+// Draws the world at one time of a trial as pixels, for videos.
 #pragma once
 
 #include <vector>

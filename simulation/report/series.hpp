@@ -69,8 +69,8 @@ struct Charts {
 /// The indices of the recorded times that are kept: one in `every`, and the last.
 [[nodiscard]] std::vector<std::size_t> thinned(std::size_t count, std::size_t every);
 
-/// The length of a link of the scenario's first measure of clusters. Without one, two diameters, so that no robot fits
-/// between two linked robots.
+/// The length of a link in the scenario's first measure of clusters. If the scenario has no such measure, the length is
+/// two diameters, so that no robot fits between two linked robots.
 [[nodiscard]] double link_of(const Scenario&);
 
 }  // namespace robochart::simulation

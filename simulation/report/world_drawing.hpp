@@ -21,7 +21,7 @@ struct View {
 
 class WorldDrawing {
 public:
-    /// `dot`: its size in centimetres; `prefix`: of ids.
+    /// `dot` is the size of a dot in centimetres. All ids begin with `prefix`.
     WorldDrawing(const Scenario&, View, double dot, std::string prefix = "s");
 
     [[nodiscard]] const View& view() const { return view_; }

@@ -10,10 +10,11 @@
 
 namespace robochart::simulation {
 
-/// The polygons of `polygon`, `rect` without rounded corners, and `path` with straight lines that are closed. Each is
-/// given by its corners in the units of the drawing, with the y axis upwards and the centre of the drawing's `viewBox`
-/// at the origin. Other drawing elements, transforms, style sheets and document types are rejected, so that no visible
-/// element is ignored silently. Empty on failure: `error` contains the cause and its line.
+/// Returns the polygons of the elements `polygon`, `rect` (without rounded corners) and `path` (closed, with straight
+/// lines). The corners of a polygon are in the units of the drawing, with the y axis upwards and the centre of the
+/// drawing's `viewBox` at the origin. Other drawing elements, transforms, style sheets and document types are rejected,
+/// so that no visible element is ignored silently. On failure the result is empty, and `error` contains the cause and
+/// its line.
 [[nodiscard]] std::vector<std::vector<Vector>> drawn_obstacles(std::string_view svg, std::string& error);
 
 }  // namespace robochart::simulation

@@ -65,7 +65,7 @@ struct WorldPlan {
     std::vector<std::vector<BoundAct>> acts;  ///< for each output
 };
 
-/// The plan of the first kind of robots, with those of the other kinds.
+/// The plan of the first kind of robots. It contains the plans of the other kinds.
 struct Plan {
     const Scenario* scenario = nullptr;
     std::uint32_t inputs = 0;

@@ -304,8 +304,8 @@ struct RobotKind : Controlled {
     std::vector<Failure> failures;
 };
 
-/// `environment COMPONENT { ... }`: a controller without a body. Its inputs are measures of the world, and its commands
-/// act on the world.
+/// `environment COMPONENT { ... }`: a controller without a body. The controller reads measures of the world, and its
+/// commands act on the world.
 struct Environment : Controlled {
     std::vector<WorldFeed> feeds;
     std::vector<WorldAct> acts;

@@ -44,7 +44,7 @@ void ScenarioReader::check() {
                        {fmt::format("{} s is after the end, {} s", time, scenario_.duration)});
 }
 
-/// At most as many robots may fail as exist. If the number of robots varies, each point uses its own number.
+/// A scenario must not let more robots fail than exist. If the number of robots varies, each point uses its own number.
 void ScenarioReader::check_failures() {
     const auto varied = [&](Varied what) {
         return std::ranges::find_if(scenario_.variations, [&](const Variation& each) { return each.what == what; });

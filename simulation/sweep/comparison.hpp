@@ -19,9 +19,10 @@ struct TableRow {
     statistics::Sample sample;
 };
 
-/// Reads a comma-separated table with a header line. It needs a column for each variation, `trials` and `successes`,
-/// and, if there are several claims, `claim`: the number of a claim, from 1, or its text. Other columns are ignored, so
-/// `sweep.csv` is such a table. No value if the text is not such a table; `error` contains the reason.
+/// Reads a comma-separated table with a header line. The table needs a column for each variation, and the columns
+/// `trials` and `successes`. If there are several claims, it also needs `claim`: the number of a claim, from 1, or its
+/// text. Other columns are ignored, so `sweep.csv` is a valid table. On failure there is no value, and `error` contains
+/// the reason.
 [[nodiscard]] std::optional<std::vector<TableRow>> read_table(std::string_view text, const Scenario&,
                                                               std::string& error);
 

@@ -43,7 +43,7 @@ struct Least {
     bool certain = false;         ///< the claim is refuted at every smaller value
     bool ended = false;           ///< further points are unnecessary or cannot help
 };
-/// `second`: the value of the second variation, if there is one.
+/// `second` is the value of the second variation, if there is one.
 [[nodiscard]] Least least(const std::vector<PointResult>&, std::size_t claim, std::optional<double> second);
 
 /// The interval of a single point, with the whole error of the claim; no value for tests, and between looks.

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] double y(double share) const { return top_ + area_height * (1 - share); }
     void add(const std::string& text) { body_ += text; }
 
-    /// With `names` at values of the horizontal axis.
+    /// Writes the plot. `names` are labels at values of the horizontal axis.
     [[nodiscard]] std::string svg(const std::vector<std::pair<double, std::string>>& names,
                                   const std::string& axis) const {
         const double bottom = top_ + area_height;
@@ -210,7 +210,7 @@ private:
                               verdict_mark(point_word(point, claim), x, frame.y(share_of(found)), colour(hue))));
     }
 
-    /// At most eight of the computed points, spread evenly.
+    /// Selects at most eight of the computed points, spread evenly.
     [[nodiscard]] std::vector<const PointResult*> chosen() const {
         std::vector<const PointResult*> known;
         for (const PointResult& point : result_.points)

@@ -37,8 +37,8 @@ struct SweepResult {
 [[nodiscard]] std::string sweep_csv(const Scenario&, const SweepResult&);
 /// One row for each trial.
 [[nodiscard]] std::string sweep_trials_csv(const Scenario&, const SweepResult&);
-/// Schema "robochart-verify/sweep/1" (docs/cli.md). `comparison`: with earlier trials; `guard`: guard_json
-/// (report/report.hpp) of the last controller.
+/// Schema "robochart-verify/sweep/1" (docs/cli.md). `comparison` contains the comparison with earlier trials, and
+/// `guard` is guard_json (report/report.hpp) of the last controller.
 [[nodiscard]] std::string sweep_json(const Scenario&, const SweepResult&, diagnostics::Json comparison,
                                      diagnostics::Json guard, const std::vector<std::string>& files, int exit);
 

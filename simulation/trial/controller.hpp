@@ -47,8 +47,8 @@ class StateNumbers {
 public:
     explicit StateNumbers(const Drives&);
     [[nodiscard]] std::uint32_t machines() const { return static_cast<std::uint32_t>(total_.size()); }
-    /// The state of a machine of a controller of this kind. Between states, or if there is no such machine, the number
-    /// of states.
+    /// The state of a machine of a controller of this kind. The result is the number of states if the machine is
+    /// between states, or if there is no such machine.
     [[nodiscard]] std::uint16_t of(std::size_t kind, std::uint32_t machine, const void* controller) const;
 
 private:

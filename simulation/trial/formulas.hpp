@@ -22,7 +22,7 @@ public:
     /// Keeps a reference to the formula.
     Condition(const Formula&, double control_step);
 
-    /// True if it is true after this number of steps. Must be called for each step, in order.
+    /// Returns true if the formula is true after this number of steps. Must be called for each step, in order.
     [[nodiscard]] bool holds(std::uint64_t step, const MeasureNow&);
 
 private:

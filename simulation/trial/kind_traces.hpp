@@ -11,12 +11,12 @@ namespace robochart::simulation {
 
 class KindTraces final : public Trace {
 public:
-    /// `parts`: for each kind of the scenario; null: no observer. `whole`: observes all robots, with the scenario's
-    /// numbers; may be null.
+    /// `parts` contains an observer, or null, for each kind of the scenario. `whole` observes all robots, with their
+    /// numbers in the scenario, and may be null.
     KindTraces(const Scenario&, std::vector<std::unique_ptr<Trace>> parts, std::unique_ptr<Trace> whole = nullptr);
     void cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
                rc_drive_result result) override;
-    /// The objection about the robot whose cycle was the last.
+    /// The objection about the robot of the last cycle.
     [[nodiscard]] const Objection* objection() const override;
     [[nodiscard]] bool decided() const override;
 
@@ -27,8 +27,8 @@ private:
     const Trace* last_ = nullptr;
 };
 
-/// Makes KindTraces for a trial: each part by one of `makers`, and the whole by `whole`, if it makes any. The scenario
-/// must outlive the result.
+/// Makes the observers of a trial: `makers` make one for each kind, and `whole`, if it is not empty, makes the one for
+/// all robots. The scenario must outlive the result.
 [[nodiscard]] Guard::Maker for_each_kind(const Scenario&, std::vector<Guard::Maker> makers, Guard::Maker whole = {});
 
 }  // namespace robochart::simulation

@@ -69,7 +69,7 @@ public:
     /// True if some band needs the positions after this number of steps.
     [[nodiscard]] bool due(std::uint64_t step) const;
     void look(std::uint64_t step, const MeasureNow&);
-    /// One value per band; NaN: a time that was never reached. Averages are over all full seconds.
+    /// Returns one value per band; NaN if a time was never reached. Averages are over all full seconds.
     [[nodiscard]] std::vector<double> values() const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The positions and perceptions of robots: the built-in world, or another simulator behind an adapter. All use the same
-// order: sense, controllers, act, one control step (the order of Enki and of ARGoS).
+// The positions and perceptions of robots, in the built-in world or in another simulator behind an adapter. All
+// simulators use the order of Enki and of ARGoS: sense, run the controllers, act, simulate one control step.
 #pragma once
 
 #include <cstddef>

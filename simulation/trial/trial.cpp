@@ -224,8 +224,8 @@ private:
                                : std::nullopt);
     }
 
-    /// Called after all robots. It reads the world and the states at the time when the robots sensed; its effects apply
-    /// from the next cycle on.
+    /// Runs the environment's controller after those of all robots. The controller reads the world and the states at
+    /// the time when the robots sensed; its effects apply from the next cycle on.
     void environment_cycle(const Frame& sensed) {
         for (rc_signal& signal : signals_) signal.present = 0;
         const MeasureNow now = measures_now(scenario_, sensed);
@@ -351,7 +351,7 @@ private:
 
     // ------------------------------------------------------------ sensing
 
-    /// A failed sensor reports no event, false or 0. The radio is not such a sensor.
+    /// A failed sensor reports no event, false or 0. A failed radio is handled separately.
     [[nodiscard]] bool is_blind(std::size_t robot, const BoundFeed& bound) const {
         return failed_[robot].sensors && bound.sensor != no_slot && sensor(bound).kind != SensorKind::range_and_bearing;
     }

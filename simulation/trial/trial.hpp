@@ -31,8 +31,8 @@ public:
                        rc_drive_result result) = 0;
     /// Called after each cycle; null: continue.
     [[nodiscard]] virtual const Objection* objection() const { return nullptr; }
-    /// Called at the end of the trial: true if everything relevant for objections was observed. If false, the absence
-    /// of an objection proves less.
+    /// Called at the end of the trial: true if everything relevant for objections was observed. If the result is false,
+    /// the absence of an objection proves less.
     [[nodiscard]] virtual bool decided() const { return true; }
 };
 

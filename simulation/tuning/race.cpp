@@ -125,7 +125,8 @@ bool Race::iterate() {
 }
 
 /// Draws new candidates, without duplicates: arbitrary ones in the first iteration, later ones near the best. If no new
-/// candidate is found near them, the neighbourhood grows. The result is smaller if there are no more candidates.
+/// candidate is found near the best, the neighbourhood grows. The result is smaller if the space contains no more
+/// candidates.
 std::vector<std::size_t> Race::sample(std::uint64_t fresh, double progress) {
     for (const std::size_t elite : elites_)
         narrow(entries_[elite].near, parameters_, entries_[elite].candidate, fresh, progress);
@@ -184,8 +185,8 @@ void Race::look(const std::vector<std::size_t>& alive, const std::vector<std::ui
     iterations_.back().trials += trials.size();
 }
 
-/// The race of one iteration, within its share of the budget. The first seed is new, so that elites are tested on it
-/// like the others. The seeds that elites have seen come next, then further new ones.
+/// Runs the race of one iteration, within its share of the budget. The first seed is new, so that elites and other
+/// candidates are tested on it alike. The seeds that elites have seen come next, then further new ones.
 void Race::compete(std::vector<std::size_t> alive, std::uint64_t share) {
     const std::uint64_t known = elites_.empty() ? 0 : seeds_;
     const std::uint64_t begin = trials_;
@@ -248,8 +249,8 @@ std::vector<std::size_t> Race::not_worse(const std::vector<std::size_t>& alive,
     return result;
 }
 
-/// Candidates are eliminated because they are worse than the best one, so the best one must be admitted. Better
-/// candidates that are not admitted are removed first. Returns false if none is left.
+/// Candidates are eliminated because they are worse than the best one, so the best one must be admitted. This function
+/// first removes candidates that rank higher but are not admitted. Returns false if no candidate is left.
 bool Race::lead(std::vector<std::size_t>& alive, const std::vector<std::uint64_t>& seeds) {
     for (const std::size_t each : ranked(alive, seeds)) {
         if (is_admitted(each)) return true;

@@ -21,7 +21,7 @@ enum class Elimination {
     t_test     ///< paired t-test against the candidate with the lowest mean
 };
 
-/// Options of a search. Its results depend only on these and on the costs.
+/// Options of a search. The results of a search depend only on these options and on the costs.
 struct RaceOptions {
     std::uint64_t budget = 1000;  ///< number of trials
     std::uint64_t seed = 1;       ///< of the random choices
@@ -42,7 +42,8 @@ public:
     virtual ~RaceSubject() = default;
     /// True if trials of the candidate can be run. Called once for each candidate, in order of index.
     virtual bool usable(const Candidate&) = 0;
-    /// True if the candidate may be among the best. Called at most once for each, when it leads or would be among them.
+    /// True if the candidate may be among the best. Called at most once for each candidate: when it leads, or when it
+    /// would become one of the best.
     virtual bool admitted(const Candidate&) = 0;
     /// The costs of the trials, in order. Lower is better.
     virtual std::vector<double> costs(const std::vector<RaceTrial>&) = 0;
@@ -56,7 +57,7 @@ struct RaceEntry {
     std::vector<std::optional<double>> costs;  ///< by seed
 
     [[nodiscard]] std::uint64_t trials() const;
-    /// The mean over its trials.
+    /// The mean cost of its trials.
     [[nodiscard]] double mean() const;
 };
 

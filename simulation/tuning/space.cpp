@@ -65,7 +65,7 @@ std::optional<Parameter> read_range(Parameter parameter, std::string_view low_te
                                                                                  : "";
     if (!error.empty()) return std::nullopt;
     int decimals = std::max(low->decimals, high->decimals);
-    // At least a hundred steps, if the number of digits allows it.
+    // The range has at least a hundred steps, if the number of digits allows it.
     while (kind == ParameterKind::real && decimals < most_decimals &&
            in_steps(*high, decimals) - in_steps(*low, decimals) < 100)
         ++decimals;
@@ -114,7 +114,7 @@ std::string Parameter::value(std::uint64_t number) const {
     const std::int64_t unit = power_of_ten(decimals);
     const std::int64_t size = steps < 0 ? -steps : steps;
     std::string digits = fmt::format("{}{}.{:0{}}", steps < 0 ? "-" : "", size / unit, size % unit, decimals);
-    // Without trailing zeros: 0.2 instead of 0.200.
+    // Trailing zeros are omitted: 0.2 instead of 0.200.
     while (digits.ends_with('0') && digits[digits.size() - 2] != '.') digits.pop_back();
     return digits;
 }

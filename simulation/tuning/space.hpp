@@ -44,7 +44,7 @@ using Candidate = std::vector<std::uint64_t>;
 
 /// "farRadius=0.187", one text per parameter, as for `--const`.
 [[nodiscard]] std::vector<std::string> constants_of(const std::vector<Parameter>&, const Candidate&);
-/// The same in one text.
+/// Returns all values of a candidate in one text.
 [[nodiscard]] std::string candidate_text(const std::vector<Parameter>&, const Candidate&);
 
 /// The distribution for drawing near a good candidate (López-Ibáñez, Dubois-Lacoste, Pérez Cáceres, Birattari, Stützle,
@@ -57,13 +57,14 @@ struct Neighbourhood {
 };
 /// The initial neighbourhood: half a range, and equal probabilities.
 [[nodiscard]] Neighbourhood whole_space(const std::vector<Parameter>&);
-/// Narrows it after an iteration with `fresh` new candidates. Deviations shrink by (1 / fresh)^(1 / parameters).
-/// Probabilities move towards the candidate's values in proportion to `progress` (0 at the beginning, 1 at the end).
+/// Narrows the neighbourhood after an iteration with `fresh` new candidates. Deviations shrink by (1 / fresh)^(1 /
+/// parameters). Probabilities move towards the candidate's values in proportion to `progress` (0 at the beginning, 1 at
+/// the end).
 void narrow(Neighbourhood&, const std::vector<Parameter>&, const Candidate&, std::uint64_t fresh, double progress);
 /// Doubles the deviations, up to the initial ones, and moves probabilities half-way towards equal ones.
 void widen(Neighbourhood&, const std::vector<Parameter>&);
 
-/// Any candidate, and a candidate near another.
+/// Draws a candidate from the whole space, or near another candidate.
 [[nodiscard]] Candidate drawn(const std::vector<Parameter>&, Random&);
 [[nodiscard]] Candidate drawn_near(const std::vector<Parameter>&, const Candidate&, const Neighbourhood&, Random&);
 

@@ -43,14 +43,14 @@ struct Pose {
 
 /// The distance at which a ray from `origin` along the unit vector `direction` enters a disk; 0 if it starts inside.
 [[nodiscard]] std::optional<double> hit_disk(Vector origin, Vector direction, Vector centre, double radius);
-/// The distance at which it meets a wall.
+/// The distance at which the ray meets a wall.
 [[nodiscard]] std::optional<double> hit_segment(Vector origin, Vector direction, const Segment&);
 /// The nearest point of a wall.
 [[nodiscard]] Vector nearest_point(const Segment&, Vector);
 /// True if a point is in a polygon, given by its corners in order. A ray from the point then crosses the border an odd
 /// number of times.
 [[nodiscard]] bool is_inside(const std::vector<Vector>& polygon, Vector);
-/// The same angle in (-pi, pi].
+/// Returns the equal angle in (-pi, pi].
 [[nodiscard]] double normal_angle(double);
 
 }  // namespace robochart::simulation

@@ -51,8 +51,8 @@ double Sensing::first_disk(Vector origin, Vector direction, double range, std::u
     return best < range ? best : unlimited;
 }
 
-/// Follows the ray in steps of a cell's width, and tests every cell whose disks can reach the ray between two steps.
-/// These are the adjacent cells, because a cell is at least two radii wide.
+/// Follows the ray in steps of a cell's width. For each step, it tests every cell whose disks the ray can reach before
+/// the next step. These cells are the adjacent ones, because a cell is at least two radii wide.
 double Sensing::first_disk_in_cells(Vector origin, Vector direction, double range, std::uint32_t self,
                                     std::uint32_t other) const {
     const double radius = world_.options().body.radius;

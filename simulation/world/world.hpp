@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The built-in world: disks with differential drive in a plane with walls. It is kinematic: a robot moves as its wheels
-// turn; overlapping disks are pushed apart in equal parts, and out of walls. It is deterministic for a seed, and the
-// method by which neighbours are found does not change a single bit of the results. Stored as a structure of arrays.
+// The built-in world: disks with differential drive in a plane with walls. The world is kinematic: a robot moves as its
+// wheels turn; overlapping disks are pushed apart in equal parts, and out of walls. The results depend only on the
+// seed; the method by which neighbours are found does not change a single bit of them. The data are stored as a
+// structure of arrays.
 #pragma once
 
 #include <cstdint>
@@ -59,9 +60,10 @@ class World {
 public:
     World(WorldOptions options, std::uint64_t seed);
 
-    /// Adds a polygon to those of the arena, present or not; they are numbered in this order.
+    /// Adds a polygon to the arena. It is present if `there` is true. Polygons are numbered in the order in which they
+    /// are added.
     void add_obstacle(std::vector<Vector> corners, bool there);
-    /// Makes it appear or vanish. Robots that touch its sides are pushed away; a robot deeper inside is trapped.
+    /// Makes a polygon appear or vanish. Robots that touch its sides are pushed away; a robot deeper inside is trapped.
     void set_obstacle(std::size_t obstacle, bool there);
 
     /// Robots placed from now on have this axle, these wheels and their noise; the radius is the same for all.

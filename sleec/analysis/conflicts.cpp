@@ -29,8 +29,8 @@ bool have_common(const std::set<std::size_t>& a, const std::set<std::size_t>& b)
     return std::ranges::any_of(a, [&](std::size_t event) { return b.contains(event); });
 }
 
-/// False if there is no event that one rule demands and each of the others forbids; then there is no conflict and no
-/// need to search.
+/// False if no event is demanded by one rule and forbidden by each of the others. Then there is no conflict, and no
+/// search is needed.
 bool may_clash(const Question& question) {
     std::vector<Events> all;
     for (std::size_t i = 0; i < question.judged; ++i) all.push_back(events_of(question.obligations[i]));
@@ -52,7 +52,8 @@ std::set<std::size_t> demanded_at_once(const std::vector<Obligation>& obligation
     return result;
 }
 
-/// For each rule, the rules that it triggers at once: it demands their trigger at the instant of its own trigger.
+/// Finds, for each rule, the rules that it triggers at once: the rule demands their trigger at the instant of its own
+/// trigger.
 using Answers = std::vector<std::vector<std::size_t>>;
 
 Answers answers(const CheckedRules& rules, const std::vector<std::size_t>& asked,
@@ -80,7 +81,7 @@ public:
     [[nodiscard]] const std::set<std::vector<std::size_t>>& found() const { return found_; }
 
 private:
-    /// Only over rules after the first, so that each cycle is found from its first rule.
+    /// Extends the path only by rules after the first, so that each cycle is found from its first rule.
     void extend() {
         for (const std::size_t next : answers_[path_.back()]) {
             if (found_.size() >= most) return;

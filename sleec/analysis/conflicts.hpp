@@ -61,7 +61,7 @@ struct AnalysisOptions {
 /// in them. Sets of three or more rules are not checked if a subset is in conflict.
 void for_each_question(const CheckedRules& rules, const AnalysisOptions& options,
                        const std::function<void(const ConflictAnswer&)>& take);
-/// True if everything that `rule` demands is demanded by `by` for the same trigger. Throws NotDecided.
+/// Returns true if `by` demands everything that `rule` demands for the same trigger. Throws NotDecided.
 [[nodiscard]] bool redundant(const CheckedRules& rules, std::size_t rule, std::size_t by,
                              const AnalysisOptions& options);
 /// True if a rule makes no demand for any values of the measures. Throws NotDecided.

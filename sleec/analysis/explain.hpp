@@ -23,7 +23,7 @@ namespace robochart::sleec {
 /// about, the values of the measures in its conditions are added.
 [[nodiscard]] std::vector<std::string> history_lines(const std::vector<Happening>& history,
                                                      const CheckedProperty& property, const CheckedRules& rules);
-/// At most eight lines.
+/// Explains a conflict in at most eight lines.
 [[nodiscard]] std::vector<std::string> explain(const Conflict& conflict, const CheckedRules& rules,
                                                const diagnostics::SourceManager& sources);
 

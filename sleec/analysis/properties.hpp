@@ -28,7 +28,7 @@ struct PropertyAnswer {
     std::uint64_t states = 0;
 };
 
-/// All rules of the file must be obeyed, including its assumptions.
+/// Decides whether the property is possible if all rules of the file, including its assumptions, are obeyed.
 [[nodiscard]] PropertyAnswer possible(const CheckedRules& rules, const CheckedProperty& property,
                                       const AnalysisOptions& options);
 
@@ -41,8 +41,8 @@ struct Implication {
 /// A rule whose trigger the other rules exclude is not reported as implied; their conflict is reported.
 [[nodiscard]] Implication implied(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options);
 
-/// A set of rules, all of them needed, that make the property impossible. Only for an impossible property. A rule
-/// counts as needed if this is not decided.
+/// Returns a set of rules that make the property impossible and are all needed for this. May be called only for an
+/// impossible property. A rule counts as needed if its removal cannot be decided.
 [[nodiscard]] std::vector<std::size_t> excluding(const CheckedRules& rules, const CheckedProperty& property,
                                                  const AnalysisOptions& options);
 

@@ -270,7 +270,8 @@ void RuleSystem::tock(const State& state, lts::SuccessorSink& sink) {
     add(next, tock_, sink);
 }
 
-/// If the same obligation is open twice, one decides: the older for a demand, the younger for a prohibition.
+/// If the same obligation is open twice, one of the two is sufficient: the older for a demand, the younger for a
+/// prohibition.
 bool RuleSystem::dominated(const OpenObligation& a, const OpenObligation& b) const {
     if (a.rule != b.rule || a.kind != b.kind) return false;
     const Obligation& obligation = question_.of(a);

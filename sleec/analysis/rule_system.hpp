@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All histories in which some rules are obeyed as long as possible, as a transition system. A state has no successors
-// if one rule demands an event, now at the latest, that the others forbid. So the search for deadlocks finds conflicts.
+// if one rule demands an event, now at the latest, and the others forbid this event. Therefore the search for deadlocks
+// finds conflicts.
 #pragma once
 
 #include <memory>
@@ -54,9 +55,9 @@ struct Clash {
 [[nodiscard]] std::optional<Clash> clash(const Question& question, const std::vector<OpenObligation>& open);
 
 /// Only a few occurrences are spontaneous (`unasked_occurrences`); every other one fulfils an open obligation. This
-/// loses no conflict. Take a history with a conflict and keep the triggers of the clashing obligations, and the events
-/// that broke prohibitions among their alternatives. Then repeatedly keep the occurrence that first fulfilled an
-/// obligation of a kept occurrence. Every remaining obligation has the same outcome as before.
+/// restriction loses no conflict. Take a history with a conflict and keep the triggers of the clashing obligations, and
+/// the events that broke prohibitions among their alternatives. Then repeatedly keep the occurrence that first
+/// fulfilled an obligation of a kept occurrence. Every remaining obligation has the same outcome as before.
 class RuleSystem final : public lts::TransitionSystem {
 public:
     explicit RuleSystem(const Question& question);
@@ -67,7 +68,7 @@ public:
     [[nodiscard]] const lts::EventTable& events() const override { return events_; }
     [[nodiscard]] std::string describe(lts::StateView) const override { return ""; }
 
-    /// The occurrence; no value for a tock.
+    /// Returns the occurrence of an event; no value for a tock.
     [[nodiscard]] std::optional<std::size_t> occurrence(lts::Event event) const;
     [[nodiscard]] bool is_tock(lts::Event event) const { return event == tock_; }
     /// True if some of the rules clash in this state.

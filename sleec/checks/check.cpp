@@ -266,8 +266,8 @@ private:
         return result;
     }
 
-    /// Two numbers; in LEGOS, whose scales are numbers from 0, also a scale and a number. Wrong types have been
-    /// reported.
+    /// True for two numbers. In LEGOS, whose scales are numbers from 0, also true for a scale and a number. Wrong types
+    /// have been reported.
     [[nodiscard]] bool comparable(Type left, Type right) const {
         const auto numeric = [&](Type type) {
             return type == Type::number || (type == Type::scale && file_.dialect == Dialect::legos);

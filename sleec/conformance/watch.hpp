@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decides whether a component obeys a rule, with the checker of scripts. A process in parallel with the component
 // nondeterministically selects one trigger and follows its obligation. The component obeys the rule iff no run of both
-// leads to `broken`. One obligation at a time is sufficient, because a rule is broken iff the obligation of some
-// trigger is.
+// leads to `broken`. The process needs to follow only one obligation at a time, because a rule is broken iff the
+// obligation of some trigger is broken.
 #pragma once
 
 #include <optional>
@@ -20,8 +20,8 @@ struct LinkedMeasure {
     std::vector<std::string> literals;  ///< for a scale: the script's constructors, least first
 };
 
-/// The channels of the names of a rule file in a script; no value for names that are not in it. All events of the rule
-/// must be linked. A measure that is not linked may have any value at any time.
+/// The channels of a script for the names of a rule file; no value if the script has no channel for a name. All events
+/// of the rule must be linked. A measure that is not linked may have any value at any time.
 struct Linking {
     std::vector<std::optional<std::string>> events;  ///< channels
     std::vector<std::optional<LinkedMeasure>> measures;
@@ -33,7 +33,7 @@ struct Asked {
     std::size_t obligation = 0;
 };
 
-/// How a component is judged that reads different values of a measure within one instant.
+/// How to judge a component that reads different values of a measure within one instant.
 enum class Readings : std::uint8_t {
     one_value,  ///< a trigger at this instant is not judged: a measure has one value per instant, as in SLEEC-TK
     any,        ///< the last value before the trigger is used; without one, the first after it
@@ -48,15 +48,15 @@ public:
 
     /// The channels and processes; their names begin with "sleec_".
     [[nodiscard]] std::vector<cspm::DeclPtr> declarations() const;
-    /// Holds iff no obligation is broken.
+    /// An assertion that holds iff no obligation is broken.
     [[nodiscard]] cspm::DeclPtr obeyed() const;
-    /// Fails iff some run leads to one of these cases.
+    /// An assertion that fails iff some run leads to one of these cases.
     [[nodiscard]] cspm::DeclPtr never_asked(const std::vector<std::size_t>& ways) const;
     /// True if the rule demands an event without limit.
     [[nodiscard]] bool has_demand_without_limit() const;
-    /// Component and rule in parallel. If a second passes while such a demand is open, the event is `waiting` instead
-    /// of `tock`. The component obeys the rule iff it is never broken and no run contains this event infinitely often
-    /// (endless.hpp).
+    /// Component and rule in parallel. If a second passes while a demand without limit is open, the event is `waiting`
+    /// instead of `tock`. The component obeys the rule iff the rule is never broken and no run contains `waiting`
+    /// infinitely often (endless.hpp).
     [[nodiscard]] cspm::ExprPtr waiting_process() const;
     /// Component and rule in parallel, with all their events.
     [[nodiscard]] cspm::ExprPtr process() const { return both(); }

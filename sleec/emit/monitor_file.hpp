@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generates monitors of rules as C++ (`emit monitor RULES.sleec`). They have the same meaning as sleec/monitor, but do
-// not allocate memory. If several duties have the same demands, one of them represents all those whose outcome it
-// decides (cpp_emit/runtime/rules.hpp, `stands_for`). The number of other duties that can be open at once is at most
+// Generates monitors of rules as C++ (`emit monitor RULES.sleec`). The monitors have the same meaning as sleec/monitor,
+// but do not allocate memory. If several duties have the same demands, the monitor stores only the duty that decides
+// the outcome of the others (cpp_emit/runtime/rules.hpp, `stands_for`). The number of duties stored at once is at most
 // the number of different ones, and at most `most_open` per rule. The monitor counts duties beyond this limit, but does
 // not follow them.
 #pragma once

@@ -85,7 +85,7 @@ void RuleMonitor::after(Open open, Effect effect, std::optional<std::size_t> eve
         violations_.push_back({open.rule, open.began, std::move(open.values), std::move(open.obligation), event, now_});
 }
 
-/// If duties of a rule are identical from now on, only the oldest is kept.
+/// If several duties of a rule are identical from now on, only the oldest is kept.
 void RuleMonitor::keep(Open open, std::vector<Open>& open_now) const {
     const bool known = std::ranges::any_of(open_now, [&](const Open& other) {
         return other.rule == open.rule && other.progress == open.progress && other.obligation == open.obligation;

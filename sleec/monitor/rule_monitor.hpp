@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Monitors rules at run time. Its input is a sequence of events, with the values of the measures, and seconds. It
-// reports where a rule is broken. A finite history never breaks a duty without limit.
+// Monitors rules at run time. A monitor receives a sequence of events, with the values of the measures, and seconds. It
+// reports every violation of a rule. A finite history never breaks a duty without limit.
 #pragma once
 
 #include <cstdint>
@@ -34,9 +34,9 @@ public:
     /// An event with the known values of the measures. A trigger is not followed if the rule's demand depends on
     /// unknown values; `open_triggers` then contains the rule.
     void event(std::size_t event, const MeasureReadings& values);
-    /// One second ends and the next begins.
+    /// Ends the current second and begins the next.
     void second();
-    /// The violations since the last call.
+    /// Returns the violations since the last call.
     [[nodiscard]] std::vector<Violation> take();
     /// The rules with a trigger that was not followed, without duplicates.
     [[nodiscard]] const std::vector<std::size_t>& open_triggers() const { return open_triggers_; }

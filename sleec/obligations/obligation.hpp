@@ -48,10 +48,11 @@ struct Obligation {
 /// The obligation that a trigger with these values opens. No value if the condition is false or no duty is left. Throws
 /// NotDecided if a measure determines a limit.
 [[nodiscard]] std::optional<Obligation> obligation_of(const CheckedRule& rule, const Valuation& values, WithoutLimit);
-/// The same for a single duty.
+/// Returns the obligation that a single duty opens.
 [[nodiscard]] std::optional<Obligation> obligation_of(const DutyPtr& duty, const Valuation& values, WithoutLimit);
 
-/// True if every history fulfils it: an event occurs in a window, or it does not occur in a part of the window.
+/// Returns true if every history fulfils the obligation: it demands that an event occurs in a window, or that the event
+/// does not occur in a part of this window.
 [[nodiscard]] bool always_fulfilled(const Obligation& obligation);
 /// True if every history that fulfils `stronger`, opened at some instant, fulfils `weaker`, opened at the same instant.
 /// Events are considered independent, so the answer may be false although it should be true if the demanded event is

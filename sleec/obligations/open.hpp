@@ -6,7 +6,7 @@
 
 namespace robochart::sleec {
 
-/// The outcome.
+/// The effect of an event or a second on an open obligation.
 enum class Effect : std::uint8_t { open, fulfilled, broken };
 
 /// The progress of an open obligation.
@@ -20,14 +20,14 @@ struct Progress {
 /// The largest number of demands of one obligation, so that `Progress` can store a bit for each.
 inline constexpr std::size_t most_demands = 15;
 
-/// An event after the trigger, at the current instant.
+/// Applies an event after the trigger, at the current instant.
 [[nodiscard]] Effect take_event(const Obligation& obligation, Progress& progress, std::size_t event);
-/// The end of a second.
+/// Applies the end of a second.
 [[nodiscard]] Effect take_tock(const Obligation& obligation, Progress& progress);
 
-/// The demands of which one must be fulfilled at this instant, because the obligation is broken otherwise. Empty if it
-/// is not broken otherwise. A demand without limit counts if `never_again` returns true, which means that its event is
-/// forbidden forever.
+/// Returns the demands of which one must be fulfilled at this instant to keep the obligation from being broken. The
+/// result is empty if the obligation cannot be broken now. A demand without limit counts if `never_again` returns true,
+/// which means that its event is forbidden forever.
 template <class NeverAgain>
 std::vector<const Demand*> due_now(const Obligation& obligation, const Progress& progress,
                                    const NeverAgain& never_again);

@@ -254,9 +254,9 @@ Tree Encoding::event_set(const std::vector<std::size_t>& events) const {
     return build::set(std::move(items));
 }
 
-/// The rules in parallel, synchronised on their common events. Each reads the measures separately, from an environment
-/// that keeps the first value forever. A missed deadline is a deadlock. A state in which only time passes diverges
-/// after time is hidden, because all other events have priority over time.
+/// The rules in parallel, synchronised on their common events. Each rule reads the measures separately, from an
+/// environment that keeps the first value forever. A missed deadline is a deadlock. A state in which only time passes
+/// diverges after time is hidden, because all other events have priority over time.
 std::vector<DeclPtr> Encoding::conflict(std::size_t first, std::size_t second) const {
     std::vector<std::size_t> common;
     const std::vector<std::size_t> others = events_of(second);

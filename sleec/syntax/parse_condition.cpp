@@ -21,7 +21,7 @@ ExprPtr Parser::node(Op op, Span from, std::vector<ExprPtr> parts) {
     return std::make_shared<const Expr>(std::move(expr));
 }
 
-/// Chains of operators may be long. Their trees lean to the left, so traversals recurse to the same depth.
+/// Chains of operators may be long. Their trees are left-deep, so traversals recurse as deep as the chain is long.
 ExprPtr Parser::condition() {
     const Depth depth(*this);
     const Span from = peek().span;

@@ -20,8 +20,8 @@ std::string operand(const ExprPtr& expr, bool bracketed) {
     return bracketed ? fmt::format("({})", print(expr)) : print(expr);
 }
 
-/// A left operand of the same level needs no parentheses. It gets them if one of the operators is `and` and the other
-/// `or`, because people misread `c or a and b`.
+/// A left operand of the same level needs no parentheses. The printer adds them if one of the operators is `and` and
+/// the other `or`, because people misread `c or a and b`.
 bool left_bracketed(const Expr& outer, const Expr& left) {
     return level(left.op) < level(outer.op) || (level(outer.op) == 0 && level(left.op) == 0 && left.op != outer.op) ||
            (is_comparison(outer.op) && is_comparison(left.op));

@@ -159,7 +159,7 @@ struct Property {
     Span span;
 };
 
-/// One text.
+/// A file of rules.
 struct RuleFile {
     Dialect dialect = Dialect::sleec_tk;
     Span decided_by;  ///< a construct of only this dialect; unknown if there is none

@@ -25,7 +25,7 @@ struct Wording {
     std::map<std::string, std::string> modules;  ///< the machines
 };
 
-/// A model for random paths, whose states are not explored.
+/// A model for random paths. Its states are not explored.
 struct Unexplored {
     const prism::Instance& instance;
     const Wording& wording;
@@ -39,14 +39,16 @@ public:
     Encoding& operator=(const Encoding&) = delete;
 
     [[nodiscard]] virtual Elements& elements() = 0;
-    /// The constant of the RoboChart model with this path, to which values are given. Throws NotExpressed.
+    /// Returns the PRISM constant for the RoboChart constant with this path. Throws NotExpressed.
     [[nodiscard]] virtual prism::Constant constant(const std::string& path) = 0;
-    /// The states of the model, extended as the question requires, for values of constants by their PRISM names. Valid
-    /// until the next call. Throws NotExpressed, Wrong, prism::EvaluationError, diagnostics::LimitReached.
+    /// Returns the states of the model with the additions that the question needs. `Values` are given by the PRISM
+    /// names of constants. The result is valid until the next call. Throws NotExpressed, Wrong, prism::EvaluationError,
+    /// diagnostics::LimitReached.
     [[nodiscard]] virtual const prism::StateSpace& space(const Question&, const prism::Values&) = 0;
-    /// The same model, not explored, for random paths. Throws like `space`.
+    /// Returns the same model without exploring its states, for random paths. Throws the same exceptions.
     [[nodiscard]] virtual Unexplored unexplored(const Question&, const prism::Values&) = 0;
-    /// True if a question has a single value; otherwise it has the least and the greatest value over all schedulers.
+    /// True if a question has a single value. Otherwise a question has the least and the greatest value over all
+    /// schedulers.
     [[nodiscard]] virtual bool one_value() const = 0;
 };
 

@@ -30,7 +30,8 @@ struct Path {
 /// The answer for one combination.
 struct Row {
     std::vector<std::pair<std::string, std::string>> constants;  ///< names as written, and values
-    /// One result. For a question over all schedulers: the least value, then the greatest. Empty if there is an error.
+    /// One result, or, for a question over all schedulers, the least and the greatest value. Empty if there is an
+    /// error.
     std::vector<prism::Result> results;
     std::optional<Path> path = {};  ///< if one was requested
     std::string error;              ///< why it cannot be evaluated; "" if there is no error
@@ -46,9 +47,9 @@ struct Deciding {
     unsigned threads = 0;    ///< for random paths; 0: one per core
 };
 
-/// Decides the question; `found` is called with each row as soon as it is known. Throws NotExpressed if an element has
-/// no counterpart, and Wrong if values are wrong. LimitReached is thrown if the budget is exhausted. If a model has too
-/// many states, its row contains the error.
+/// Decides the question and calls `found` with each row as soon as it is known. Throws NotExpressed if an element has
+/// no counterpart, Wrong if values are wrong, and LimitReached if the budget is exhausted. If a model has too many
+/// states, its row contains the error.
 void decide(Encoding&, const Question&, const Deciding&, diagnostics::Budget&, const std::function<void(Row)>& found);
 
 }  // namespace robochart::probability

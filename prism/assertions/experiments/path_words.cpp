@@ -14,7 +14,7 @@ std::string value_text(const Wording::Variable& variable, const prism::Layout::F
     return fmt::format("{}", value);
 }
 
-/// The variables whose values differ from `before`; all variables if `before` is null.
+/// Lists the variables whose values differ from `before`, or all variables if `before` is null.
 std::string changes(const Unexplored& model, const std::vector<std::int32_t>* before,
                     const std::vector<std::int32_t>& after) {
     const auto& fields = model.instance.layout().fields();

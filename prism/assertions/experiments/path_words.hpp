@@ -8,7 +8,7 @@
 
 namespace robochart::probability {
 
-/// Each step with its events or its machine, and its changes in terms of the model.
+/// Describes each step by its events or its machine, and by its changes in terms of the model.
 [[nodiscard]] Path in_words(const prism::RandomPath& path, const Unexplored& model);
 
 }  // namespace robochart::probability

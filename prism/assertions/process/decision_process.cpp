@@ -87,7 +87,7 @@ public:
         const markov::StateSet dead = deadlocked(explored_, tock, poll_);
         meet(0);
         result_.model.initial = {0};
-        // Intermediate states, between the choice of a mover and its move, are added as they are found.
+        // Scheduler::uniform adds intermediate states, one for each choice, while the loop runs.
         for (markov::State state = 0; state < result_.origins.size(); ++state) {
             poll_();
             const auto only = single_.find(state);
@@ -136,8 +136,8 @@ private:
         }
     }
 
-    /// The observers whose parity changes in the step. Before its first event, an observer is its initial term, which
-    /// is not a known definition; its parity is then 0. A terminated observer has no parity.
+    /// Returns the observers whose parity changes in the step. Before its first event, an observer is its initial term,
+    /// which is not a known definition; its parity is then 0. A terminated observer has no parity.
     [[nodiscard]] EventSet happening(lts::StateIndex from, lts::StateIndex to) {
         if (sources_.observed.empty()) return 0;
         const Parities before = parities(from);

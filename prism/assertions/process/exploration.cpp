@@ -38,7 +38,7 @@ Exploration::Exploration(lts::TransitionSystem& system, std::uint64_t most_state
 bool agrees(const Exploration& explored, lts::EventTable& events, lts::TransitionSystem& other,
             const std::function<void()>& poll) {
     const lts::Exploration second = lts::explore(other, [&](std::size_t) { poll(); });
-    // One graph with an initial state from which both are reached, each by its own event.
+    // Both systems are put into one graph. Its initial state has one step to each of them, with different events.
     const auto first_of_second = static_cast<lts::StateIndex>(1 + explored.size());
     lts::Graph graph;
     graph.add_edge({lts::tick, 1});

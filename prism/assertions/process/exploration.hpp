@@ -12,14 +12,14 @@
 
 namespace robochart::probability {
 
-/// A transition; `revealed`: for tau, the hidden event.
+/// A transition. For a tau, `revealed` is the hidden event.
 struct Step {
     lts::Event event;
     lts::Event revealed;
     lts::StateIndex target;
 };
 
-/// All states that are reachable, breadth first.
+/// All reachable states in breadth-first order.
 class Exploration {
 public:
     /// Throws LimitReached if there are more than `most_states`; `poll` is called for each state and may throw.
@@ -38,8 +38,8 @@ private:
     std::vector<Step> steps_;
 };
 
-/// True if the initial states of both are divergence-sensitive branching bisimilar, with every hidden event as tau.
-/// `events`: those of `explored`.
+/// Returns true if the initial states of both systems are divergence-sensitive branching bisimilar, with every hidden
+/// event as a tau. `events` is the event table of `explored`.
 [[nodiscard]] bool agrees(const Exploration& explored, lts::EventTable& events, lts::TransitionSystem& other,
                           const std::function<void()>& poll);
 

@@ -116,7 +116,7 @@ private:
         return static_cast<std::size_t>(std::ranges::lower_bound(result_.classes, bits) - result_.classes.begin());
     }
 
-    /// The states after a time unit whose class, before or after the step, is this one.
+    /// Returns the states after each time unit whose class, before or after the step, is the class `from`.
     [[nodiscard]] std::vector<bool> behind_time(std::size_t from) {
         const Exploration& explored = *process_.exploration;
         std::vector<bool> result(explored.size());

@@ -33,7 +33,7 @@ std::vector<std::string> parts_of(const std::string& path) {
     return result;
 }
 
-/// The event of its component, with its name in the script.
+/// Returns the name that the event has in the script, without its component.
 std::string name_in_script(const csp_emit::Provenance& provenance, const ObservedEvent& event) {
     const std::string direction = event.event.substr(event.event.find('.'));
     const std::string prefix = event.component + "::";

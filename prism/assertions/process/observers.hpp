@@ -3,10 +3,11 @@
 // that has the event takes part in it and never refuses it:
 //    Observer(n)    = e -> Observer(1 - n)
 //    Observer(n, x) = e?y -> Observer(1 - n, y)
-// When the component terminates, so does the observer: at the component's event `terminate`, or, for a module, which
-// has none,
+// The observer terminates together with the component, at the component's event `terminate`. A module has no such
+// event, so its process P is replaced by
 //    (P ; terminate -> SKIP) [| {e, terminate} |] (Observer(n) with [] terminate -> SKIP) \ {terminate}
-// So a step is the event exactly if n changes. The process behaves as before; only its states contain more.
+// A step is the event e exactly if the step changes n. The process behaves as before; only its states contain more
+// data.
 #pragma once
 
 #include <string>

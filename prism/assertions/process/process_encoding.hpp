@@ -18,7 +18,7 @@ namespace robochart::probability {
 
 struct ProcessOptions {
     Scheduler scheduler = Scheduler::any;
-    /// The user's options; values that assertions give to constants are added.
+    /// The user's options. The values that assertions give to constants are added to them.
     ir::InstantiationOptions instantiation;
     std::uint64_t max_states = 500'000'000;
     /// Up to this number of states, the process is compared with the one that is used for refinement checks, and the
@@ -41,7 +41,7 @@ public:
     /// Throws NotExpressed.
     [[nodiscard]] Unexplored unexplored(const Question&, const prism::Values&) override;
     [[nodiscard]] bool one_value() const override { return options_.scheduler == Scheduler::uniform; }
-    /// The number of states in the comparison with the process for refinement checks; 0: not compared.
+    /// The number of states that were compared with the process for refinement checks; 0 if they were not compared.
     [[nodiscard]] std::uint64_t compared() const;
 
 private:

@@ -56,7 +56,7 @@ private:
     [[nodiscard]] const Seat* seat(const std::string& path) const;
     [[nodiscard]] std::string free_name(const std::string& path) const;
     [[nodiscard]] prism::ExprPtr observed(Observable observable);
-    /// The index of an event in `observed`. `valued`: its values are needed.
+    /// Returns the index of an event in `observed`. `valued` is true if the property uses the values of the event.
     [[nodiscard]] std::size_t observed_event(const std::string& path, const std::string& direction, bool valued);
     [[nodiscard]] prism::ExprPtr shared_variable(const std::string& path, const std::string& name);
 

@@ -46,7 +46,7 @@ bool is_parallel(process::Op op) {
     return op == process::Op::parallel || op == process::Op::alphabetised;
 }
 
-/// True for operators whose operands, or the first of them, contain the components.
+/// True for operators whose operands contain the components, or at least whose first operand does.
 bool is_around(process::Op op) {
     return op == process::Op::hide || op == process::Op::rename || op == process::Op::prioritise ||
            op == process::Op::prioritise_order || op == process::Op::sequential || op == process::Op::exception ||

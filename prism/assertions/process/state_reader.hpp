@@ -19,12 +19,12 @@ struct Held {
     ir::TypeId type;
 };
 
-/// The state of a component: its definitions. `machine`: a machine in the CSP semantics.
+/// The state of a component, given by its definitions. `machine` is the name of a machine in the CSP semantics.
 struct Part {
     std::vector<runs::Call> calls;
 
     [[nodiscard]] bool in_state(const std::string& machine, const std::string& element) const;
-    /// A variable or constant by name; no value if there is none, or if two values are possible.
+    /// Returns a variable or constant by name; no value if there is none, or if it has two possible values.
     [[nodiscard]] std::optional<Held> variable(const std::string& machine, const std::string& name) const;
 };
 
@@ -35,7 +35,8 @@ public:
     /// Both arguments must outlive the object.
     StateReader(const lts::TransitionSystem& system, runs::StepReader& reader);
 
-    /// The parts of a state, by stable numbers. Valid until the next call.
+    /// Returns the numbers of the parts of a state. A part has the same number in every state. The result is valid
+    /// until the next call.
     [[nodiscard]] const std::vector<std::size_t>& parts(lts::StateView state);
     [[nodiscard]] const Part& part(std::size_t number) const { return parts_[number]; }
 
@@ -50,7 +51,7 @@ private:
     std::vector<std::size_t> found_;
 };
 
-/// A value as a whole number: a truth value is 0 or 1, a literal its index, a real its units. No value for other types.
+/// Converts a truth value to 0 or 1, a literal to its index, and a real to its units. No value for other types.
 [[nodiscard]] std::optional<std::int64_t> number_of(const ir::System&, const ir::Instantiation&, const Held&);
 
 }  // namespace robochart::probability

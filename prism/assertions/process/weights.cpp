@@ -67,8 +67,8 @@ Rational Weights::constant(const ir::Machine& machine, ir::ConstantId id, const 
     return constant({machine, seat, nullptr, nullptr}, id);
 }
 
-/// The instantiation overrides the value in the model. Its values are in units of the scale, which represents every
-/// decimal exactly.
+/// The instantiation overrides the value in the model. The values of the instantiation are in units of the scale, which
+/// represents every decimal exactly.
 Rational Weights::constant(const Scope& scope, ir::ConstantId id) const {
     const ir::Constant& declared = scope.machine.constants[id.index];
     std::string part = scope.seat.part;

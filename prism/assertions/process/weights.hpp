@@ -47,8 +47,8 @@ private:
     const ir::Instantiation& instantiation_;
 };
 
-/// The branches that no step distinguishes: from the same junction to the same target, without actions and resets.
-/// Includes the branch itself.
+/// Returns the branches that no step distinguishes from this one, including the branch itself. They lead from the same
+/// junction to the same target, without actions and resets.
 [[nodiscard]] std::vector<std::uint32_t> alike(const ir::System& system, const csp_emit::Draw& draw);
 
 }  // namespace robochart::probability

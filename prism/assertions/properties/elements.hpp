@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The counterparts of names in probabilistic assertions in the model that answers them. Each encoding of RoboChart
-// defines its own. Paths are those of the RoboChart model, through references:
+// Translates names in probabilistic assertions to elements of the model that decides the assertion. Each encoding of
+// RoboChart has its own translation. Paths refer to the RoboChart model and go through references:
 // "Module::controller_ref::machine_ref::x".
 #pragma once
 
@@ -23,7 +23,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// The counterparts of elements. All functions throw NotExpressed if there is none.
+/// Finds the counterparts of elements. Every function throws NotExpressed if an element has no counterpart.
 class Elements {
 public:
     Elements() = default;

@@ -19,7 +19,7 @@ struct Setting {
     std::vector<std::string> values;  ///< in PRISM: "0.5"; "1:2:9" is a range with its step
 };
 
-/// A requested random path. Its numbers are the names of constants in Question::constants.
+/// A requested random path. Its members `steps`, `repeats` and `limit` are names of constants in Question::constants.
 struct Generation {
     std::string steps;    ///< number of steps; "": until a deadlock
     std::string repeats;  ///< number of further attempts if a path reaches no deadlock; "": none
@@ -29,7 +29,8 @@ struct Generation {
 /// `using sim with`
 struct Sampling {
     std::string method;  ///< a name for prism::read_method: "ci"
-    /// Its parameters ("width"), with the names of the constants in Question::constants that contain their values.
+    /// The parameters of the method, such as "width". Each has the name of the constant in Question::constants that
+    /// contains its value.
     std::vector<std::pair<std::string, std::string>> parameters;
 };
 

@@ -471,7 +471,7 @@ ExprPtr Translator::quantitative(const ast::Expr& expr) {
     return result;
 }
 
-/// A number in `using`, as a constant with that value. Its name cannot clash with PRISM's names.
+/// Adds a number in `using` as a constant with that value. The name of the constant cannot clash with PRISM's names.
 std::string Translator::number(const std::string& what, const ast::Expr& expr) {
     std::string name = fmt::format("`{} {}`", what, ast::to_text(expr));
     question_.constants.push_back({prism::Type::real, {name, expr.span}, expression(expr)});

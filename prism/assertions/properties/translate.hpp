@@ -24,7 +24,7 @@ struct Assertions {
     frontend::Names names;
 };
 
-/// The path of the beginning of a name, through references, and the number of name parts that it uses.
+/// The path to which the first parts of a name lead, through references, and the number of these parts.
 struct Beginning {
     std::vector<std::string> parts;
     std::size_t used = 0;
@@ -36,16 +36,17 @@ struct Beginning {
 [[nodiscard]] std::vector<std::string> subjects(const Assertions&, const frontend::File&,
                                                 const frontend::ProbabilisticAssertion&);
 
-/// True if it is answered by random paths: `using sim with`, `prob generate path`.
+/// Returns true if random paths answer the assertion: `using sim with`, `prob generate path`.
 [[nodiscard]] bool simulated(const frontend::ProbabilisticAssertion&);
 
 /// The translated property. Throws NotExpressed, and Wrong if a simulation has wrong parameters.
 [[nodiscard]] Question translate(const Assertions&, const frontend::File&, const frontend::ProbabilisticAssertion&,
                                  Elements&);
 
-/// A function that assertions define, applied to arguments. It must not use elements of the model. Throws NotExpressed.
+/// A function that assertions define, applied to arguments. The function must not use elements of the model. Throws
+/// NotExpressed.
 using Function = std::function<prism::ExprPtr(const std::vector<prism::ExprPtr>&)>;
-/// The functions in the `with` clauses of an assertion, by name. They refer to the arguments of this function.
+/// Returns the functions in the `with` clauses of an assertion, by name. The result keeps references to the arguments.
 [[nodiscard]] std::map<std::string, Function> functions(const Assertions&, const frontend::File&,
                                                         const frontend::ProbabilisticAssertion&);
 

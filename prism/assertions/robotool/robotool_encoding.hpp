@@ -46,8 +46,8 @@ private:
     struct Prepared;
 
     Prepared& prepared(const Question&, const prism::Values&);
-    /// Ranges that contain the values of the constants that a question sets, and one more value: counters reach a limit
-    /// and must be able to exceed it.
+    /// Ranges that contain the values that a question gives to constants, and one value more. The additional value is
+    /// needed because counters reach a limit and must be able to exceed it.
     [[nodiscard]] prism_emit::Preferences ranges_for(const Question&);
     [[nodiscard]] prism::Values all_values(const prism::ModelFile&, const prism::Values&) const;
 

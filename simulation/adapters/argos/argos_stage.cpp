@@ -33,7 +33,8 @@ constexpr double body_radius = 3.5;
 constexpr double axle = 5.3;
 constexpr double eye_height = 5;
 
-/// The controller of each robot in the experiment. It only gives access to the robot's sensors and actuators.
+/// The controller of each robot in the experiment. The controller only gives access to the robot's sensors and
+/// actuators.
 class Hands final : public argos::CCI_Controller {
 public:
     void Init(argos::TConfigurationNode&) override {
@@ -200,7 +201,7 @@ private:
     static void place(const Robot& robot, Vector position, double heading) {
         argos::CQuaternion turn;
         turn.FromEulerAngles(argos::CRadians(heading), argos::CRadians(0), argos::CRadians(0));
-        // The other robots are still at their old places, so overlaps do not matter until all are placed.
+        // At this time, later robots are still at their old places. Overlaps do not matter until all robots are placed.
         robot.body->MoveTo(point(position, 0), turn, false, true);
     }
 

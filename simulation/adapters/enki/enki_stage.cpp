@@ -82,7 +82,8 @@ private:
     }
 };
 
-/// The robots in one array. Their sensors contain pointers to them, so they are constructed in place and never moved.
+/// The robots in one array. The sensors contain pointers to their robots, so robots are constructed in place and never
+/// moved.
 class Pucks {
 public:
     Pucks(std::size_t count, const Scenario& scenario) : pucks_(std::allocator<Puck>().allocate(count)), count_(count) {

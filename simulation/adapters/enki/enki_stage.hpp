@@ -7,8 +7,8 @@
 
 namespace robochart::simulation {
 
-/// Enki moves the robots and casts the lines of sight. It does not have our range-and-bearing, light or proximity
-/// sensors; scenarios with these are rejected (RC-M15). Only one world at a time, because its random numbers are
+/// Enki moves the robots and casts the lines of sight. Enki lacks our range-and-bearing, light and proximity sensors;
+/// scenarios with these are rejected (RC-M15). Only one world can exist at a time, because Enki's random numbers are
 /// global.
 [[nodiscard]] std::unique_ptr<Stage> enki_stage(const Scenario&, std::uint32_t trial, diagnostics::Diagnostics&);
 

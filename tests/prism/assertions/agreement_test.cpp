@@ -235,11 +235,11 @@ TEST(Agreement, OfTheForager) {
                         "prob property Q : Prob=? of [Finally <=30 foraging::Robot::brain::forager is in "
                         "foraging::Forager::Homing]"}});
     std::uint64_t compared = 0;
-    // It rests for 5 units and leaves with probability 0.25: twice within 10.
+    // The robot rests for 5 units and then leaves with probability 0.25, so it can leave twice within 10 units.
     EXPECT_EQ(testing::text(testing::process(*loaded, "P", Scheduler::any, &compared)), "0.4375 to 0.4375");
     EXPECT_GT(compared, 30u);
-    // Without food it searches for 20 units and has to leave after two rests; with food immediately, six units are
-    // enough.
+    // Without food the robot searches for 20 units and has to leave after two rests. If it finds food immediately, six
+    // units are enough.
     EXPECT_EQ(testing::text(testing::process(*loaded, "Q", Scheduler::any)), "0.4375 to 3367/4096");
     EXPECT_EQ(testing::text(testing::process(*loaded, "Q", Scheduler::urgent)), "0.4375 to 3367/4096");
 }

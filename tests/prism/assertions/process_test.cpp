@@ -332,7 +332,8 @@ TEST(Process, EventsInsideAModuleAreRewarded) {
     EXPECT_EQ(earned("[Game::hands::one::heads.out] true : 1; [Game::hands::ear::heads.in] true : 3;"), "4");
 }
 
-/// If the module terminates, so does the observer. Events whose names are CSPM keywords have other names in the script.
+/// The observer terminates together with the module. Events whose names are CSPM keywords have other names in the
+/// script.
 TEST(Process, EventsOfAMachineThatEndsAreRewarded) {
     const char* const ending = R"(
 		robotic platform Table { event channel : nat event STOP }

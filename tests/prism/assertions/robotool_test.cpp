@@ -24,8 +24,9 @@ using testing::load;
 using testing::robotool;
 using testing::text;
 
-/// A coin that is thrown until it shows heads. Its chain: the initial node, Ready, the junction, then Heads (p) or
-/// Ready again, each of them one step. `stop` comes from the platform, and no other event is possible in Ready.
+/// A coin that is thrown until it shows heads. Its Markov chain visits the initial node, Ready, the junction, then
+/// Heads (with probability p) or Ready again. Each visit is one step. `stop` comes from the platform, and no other
+/// event is possible in Ready.
 const char* const coin = R"(package coin
 	enumeration Side { Head Tail }
 	interface Shown { var side : Side, throws : nat }
@@ -403,7 +404,7 @@ TEST(UvcAssertions, GiveTheRecordedValue) {
     const fs::path folder = suite("uvc");
     if (!fs::exists(folder)) GTEST_SKIP() << "no case study at hand";
     auto files = files_in(folder);
-    // One value of t, which takes a few seconds.
+    // The test uses only one value of t, which takes a few seconds.
     std::string& config = files.at("Properties/config.assertions");
     const auto begin = config.find("constants C20_noOds_delibrate");
     const auto range = config.find("{1 to 19 by step 1}", begin);

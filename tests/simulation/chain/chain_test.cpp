@@ -30,7 +30,7 @@ struct ReadChain {
             "way is distance(lamp) measure near is reached(lamp, 10 cm) " +
             items + " }";
         scenario = read_scenario(sources, sources.add("s.scenario", text), found);
-        // As the controller numbers its states.
+        // The states have the numbers that the controller gives them.
         for (std::size_t m = 0; m < 2 && m < scenario.measures.size(); ++m)
             scenario.measures[m].states = {static_cast<std::uint16_t>(m)};
         tell();
@@ -208,7 +208,7 @@ TEST(States, OfATime) {
 
 // ---------------------------------------------------------------- answers
 
-/// One robot, near the lamp or not.
+/// One robot that is near the lamp or not.
 const char* const one_robot =
     "abstract by near every 1 s accept probability near >= 100 % within 12 s >= 40 % with confidence 95 % "
     "estimate time until near >= 100 % with confidence 95 % estimate average near with confidence 95 %";

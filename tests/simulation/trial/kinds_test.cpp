@@ -243,7 +243,7 @@ TEST(WorldMachine, MovesLightsShowsObstaclesAndRaisesEvents) {
     EXPECT_EQ(frame_near(result, 1).lights.at(0).at, (Vector{0, 0}));
     EXPECT_FALSE(frame_near(result, 1).obstacles.at(0));
     EXPECT_TRUE(frame_near(result, 1.1).obstacles.at(0));
-    // It takes 22.36 cm to (10, 20) at 10 cm/s: after one second it has moved 10 cm.
+    // The light needs 2.236 s for the 22.36 cm to (10, 20) at 10 cm/s. After one second it has moved 10 cm.
     EXPECT_NEAR(length(frame_near(result, 2).lights.at(0).at), 10, 1e-6);
     EXPECT_NEAR(frame_near(result, 2).lights.at(0).at.y, 2 * frame_near(result, 2).lights.at(0).at.x, 1e-6);
     // The robots read the event in the cycle at 1.1 s, and drive for 1.9 s.
@@ -257,8 +257,8 @@ TEST(WorldMachine, ReadsConditionsAndMeasures) {
         "model.rct", {keeper});
     const RunResult result = experiment.run();
     const Frame& last = result.trials.at(0).frames.back();
-    EXPECT_EQ(std::ranges::count(last.working, false), 1);
-    // One of the two robots, chosen at random, stands: over many trials it is not always the same one.
+    EXPECT_EQ(std::count(last.working.begin(), last.working.end(), false), 1);
+    // One of the two robots, chosen at random, stands still. Over many trials both robots are chosen.
     Experiment many(runner,
                     replaced(replaced(watched, "stimulus shout on act",
                                       "stimulus shout on act failure of motors in 1 robots on stop"),
@@ -378,7 +378,8 @@ TEST(WorldMachine, ReadsStatesAsTheyWereWhenTheRobotsSensed) {
     text = replaced(text, "feed late when clock >= 1 s", "feed late when running >= 100 %");
     Experiment experiment(runner, text, "model.rct", {keeper});
     const RunResult result = experiment.run();
-    // Running since the cycle at 0.5 s, read in that at 0.6 s, effective after that step.
+    // The robot has been running since the cycle at 0.5 s. The environment reads this in the cycle at 0.6 s, and its
+    // action takes effect after that step.
     EXPECT_FALSE(frame_near(result, 0.6).obstacles.at(0));
     EXPECT_TRUE(frame_near(result, 0.7).obstacles.at(0));
 }

@@ -67,10 +67,10 @@ TEST(Trial, DrivesAsksTurnsAndDrivesOn) {
     ASSERT_EQ(frames.size(), 201U);
     EXPECT_NEAR(frames[10].poses[0].at.x, 10, 1e-9) << "10 cm/s from the first cycle on";
     EXPECT_NEAR(frames[30].poses[0].at.x, 30, 1e-9);
-    // It sees the wall at 37 cm, in cycle 37, and requests the angle. It drives for one more step, then turns by the
-    // answer.
+    // The robot sees the wall at 37 cm, in cycle 37, and requests the angle. It drives for one more step, then turns by
+    // the angle in the answer.
     EXPECT_NEAR(frames[60].poses[0].at.x, 38, 1e-6);
-    // Both robots do the same at the same time: the other robot is directly to the left, or to the right.
+    // Both robots behave alike at the same time, so each has the other one directly to its left or to its right.
     EXPECT_NEAR(frames[60].poses[0].heading, std::numbers::pi / 2, 1e-9);
     EXPECT_NEAR(frames[60].poses[1].heading, -std::numbers::pi / 2, 1e-9);
 }

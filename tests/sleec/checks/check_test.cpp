@@ -97,7 +97,7 @@ TEST(SleecCheck, ComparesScalesWithNumbersInLegosOnly) {
     EXPECT_EQ(findings("R when Go and ({load} > {near}) then Stop"), "SLEEC-T04:7");
 }
 
-/// At least 5 seconds later: not at 0 to 4.
+/// `Stop at least 5 seconds after Go` forbids Stop at seconds 0 to 4.
 TEST(SleecCheck, AtLeastForbidsTheSecondsBefore) {
     Read read(with_definitions("R Stop at least 5 seconds after Go"));
     ASSERT_TRUE(read.checked_too().checked);

@@ -19,8 +19,8 @@ namespace {
 using testing::Read;
 using testing::with_definitions;
 
-/// The events and measures of with_definitions() as channels of a component, whose process is C. Inputs and outputs are
-/// treated alike.
+/// A component whose channels are the events and measures of with_definitions() and whose process is C. Inputs and
+/// outputs are treated alike.
 const std::string channels = R"(
 datatype Way = in | out
 datatype Load = low | mid | high
