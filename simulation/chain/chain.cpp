@@ -265,7 +265,7 @@ private:
     const std::vector<statistics::StateSequence>& sequences_;
     const std::vector<TrialResult>& trials_;
     const std::size_t first_fresh_;
-    const double error_;  ///< for the intervals, and again for all checks together
+    const double error_;  ///< the error of the intervals, and also the error of all checks together
     diagnostics::Budget* budget_;
     markov::UncertainChain chain_;
     ChainAnswer answer_;

@@ -21,12 +21,12 @@ namespace robochart::simulation {
 struct ChainAsked {
     enum class Kind { within, time, average };
     Kind kind = Kind::within;
-    const Claim* claim = nullptr;  ///< for `within`
+    const Claim* claim = nullptr;  ///< the claim, if the question is one
     std::string text;              ///< as written
     double confidence = 0;
     std::vector<bool> goal;         ///< for each state; empty for average
-    std::uint64_t steps = 0;        ///< within: steps of the chain
-    std::vector<double> low, high;  ///< average: for each state, the range of the measure
+    std::uint64_t steps = 0;        ///< `within`: the bound in steps of the chain
+    std::vector<double> low, high;  ///< average: the range of the measure in each state
     std::size_t distinction = 0;    ///< average: index of the distinction
 };
 
@@ -46,7 +46,7 @@ struct ChainAnswer {
     ChainAsked asked;
     double low = 0;
     double high = 0;                 ///< infinite if no bound was found
-    std::vector<ChainCheck> checks;  ///< at the times of the chain's states
+    std::vector<ChainCheck> checks;  ///< the checks at the times of the chain's states
     bool of_no_chain = false;        ///< the order of the chain is refuted, for all questions
 
     /// True if trials contradict the chain, so that its bounds do not apply to the swarm.
@@ -70,8 +70,8 @@ struct OrderFinding {
 
 /// A transition that trials took although the robots' steps exclude it.
 struct Excluded {
-    std::uint32_t trial = 0;  ///< from 0
-    double time = 0;          ///< s, of the state after the transition
+    std::uint32_t trial = 0;  ///< the index of the trial, from 0
+    double time = 0;          ///< the time of the state after the transition, in s
     std::string from, to;
 };
 

@@ -19,7 +19,7 @@ struct ChainResult {
     std::size_t transitions = 0;        ///< between states of the chain
     std::size_t excluded = 0;           ///< how many of them are excluded
     std::size_t seen = 0;               ///< how many of them occurred in the trials for estimation
-    std::uint32_t trials = 0;           ///< for estimation; the same number is used for checks
+    std::uint32_t trials = 0;           ///< the number of trials for estimation; as many are used for checks
     bool order_asked = false;           ///< the order was tested on all trials
     std::optional<OrderFinding> order;  ///< the refutation of the chain for all questions
     bool interrupted = false;

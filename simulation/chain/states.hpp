@@ -20,8 +20,8 @@ namespace robochart::simulation {
 /// if the robot is in the state of the i-th distinction by `in_state`.
 struct RobotSteps {
     std::vector<std::uint32_t> classes;    ///< ascending
-    std::vector<bool> first;               ///< for each class: a robot can start in it
-    std::vector<std::vector<bool>> after;  ///< [from][to]
+    std::vector<bool> first;               ///< [class]: a robot can start in it
+    std::vector<std::vector<bool>> after;  ///< [from][to]: a robot can be in `to` at the next state of the chain
 };
 
 /// Thrown if there are more states, or distributions of robots, than a chain may have.
@@ -34,7 +34,7 @@ public:
 struct MeasureClass {
     bool share = false;
     std::uint32_t least = 0, most = 0;
-    double low = 0, high = 0;  ///< for a fraction, its least and greatest value
+    double low = 0, high = 0;  ///< the bounds of the class; for a fraction, its least and greatest value
 
     friend bool operator==(const MeasureClass&, const MeasureClass&) = default;
 };
@@ -42,7 +42,7 @@ struct MeasureClass {
 class ChainStates {
 public:
     static constexpr std::size_t most_states = 500;
-    static constexpr std::size_t most_distributions = 1000;  ///< of robots over their classes
+    static constexpr std::size_t most_distributions = 1000;  ///< the most ways to distribute robots over classes
     /// Represents no state.
     static constexpr std::size_t none = ~std::size_t{0};
 
@@ -90,10 +90,10 @@ private:
 
     const Scenario& scenario_;
     std::optional<RobotSteps> steps_;
-    std::vector<std::vector<MeasureClass>> classes_;  ///< for each distinction
+    std::vector<std::vector<MeasureClass>> classes_;  ///< the classes of each distinction
     std::vector<Distribution> distributions_;
-    std::vector<Tuple> distributed_;  ///< for each distribution, its projection
-    std::vector<Tuple> admitted_;     ///< the same, ascending, without duplicates
+    std::vector<Tuple> distributed_;  ///< the projection of each distribution
+    std::vector<Tuple> admitted_;     ///< the projections, ascending, without duplicates
     std::vector<Tuple> states_;       ///< ascending
 };
 

@@ -26,12 +26,12 @@ struct ClaimOutcome {
 struct ClaimResult {
     ClaimVerdict verdict = ClaimVerdict::open;
     std::uint64_t successes = 0;  ///< trials in which the property is true
-    double error = 0;             ///< of the interval, or of each answer of the test
+    double error = 0;             ///< the error of the interval, or of each answer of the test
     /// For claims decided by intervals: the interval of the last look.
     statistics::Interval interval;
     std::uint64_t looked = 0;            ///< number of trials at the last look
     std::uint64_t steps = 0;             ///< control steps until the property was known, over all its trials
-    std::vector<ClaimOutcome> outcomes;  ///< of the trials that it is based on, in the order of seeds
+    std::vector<ClaimOutcome> outcomes;  ///< the trials that the verdict is based on, in the order of seeds
 
     [[nodiscard]] std::uint64_t trials() const { return outcomes.size(); }
     [[nodiscard]] std::uint64_t stopped() const;

@@ -39,7 +39,7 @@ struct RunOptions {
 struct BandResult {
     bool holds = false;
     double value = 0;                ///< `mean`: the mean; `each`: the worst trial; NaN: a time that was never reached
-    std::size_t trials_outside = 0;  ///< for `each`
+    std::size_t trials_outside = 0;  ///< `each`: the number of trials outside the band
 };
 
 /// All trials of a scenario and the results for bands and claims.
@@ -52,7 +52,7 @@ struct RunResult {
     bool stops_are_errors = true;  ///< false if there are only claims: a stopped trial then counts against them
     std::uint64_t steps = 0;       ///< control steps of these trials, and of those only for claims
     double seconds = 0;            ///< elapsed time
-    double cpu_seconds = 0;        ///< of all threads
+    double cpu_seconds = 0;        ///< CPU time of all threads
 
     /// True if a controller stopped a trial and this is an error.
     [[nodiscard]] bool stopped() const;

@@ -25,17 +25,17 @@ struct Quartiles {
 
 /// One quantity over time.
 struct Series {
-    std::string name;                         ///< for a legend; "" if the chart has one series
+    std::string name;                         ///< the name in a legend; "" if the chart has one series
     std::vector<std::vector<double>> trials;  ///< for each trial, one value per time until it ended
     std::vector<Quartiles> all;               ///< over the trials that had not ended
 };
 
 /// The values of a quantity that a scenario accepts at a time, or the times at which it may reach a level.
 struct Target {
-    bool mean = false;  ///< for the mean of the trials, otherwise for each trial
+    bool mean = false;  ///< true: for the mean of the trials; false: for each trial
     double from = 0;    ///< s
     double to = 0;
-    double low = 0;  ///< in the chart's unit
+    double low = 0;  ///< a value in the chart's unit
     double high = 0;
 };
 

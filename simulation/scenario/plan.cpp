@@ -359,8 +359,8 @@ private:
     diagnostics::Diagnostics& diagnostics_;
     Plan plan_;
     std::vector<bool> fed_;
-    std::vector<std::uint32_t> slots_;  ///< for outputs that are variables
-    std::vector<std::uint32_t> bits_;   ///< for outputs that are operations
+    std::vector<std::uint32_t> slots_;  ///< the slots of outputs that are variables
+    std::vector<std::uint32_t> bits_;   ///< the bits of outputs that are operations
 };
 
 }  // namespace

@@ -28,7 +28,7 @@ struct Effect {
     enum class Kind { store, request, drive };
     Kind kind = Kind::store;
     bool whole = false;      ///< store: the value is a whole number
-    std::uint32_t slot = 0;  ///< of the variable, the bit, or the index in Scenario::drives
+    std::uint32_t slot = 0;  ///< the slot of the variable, the bit, or the index in Scenario::drives
 };
 
 struct BoundStimulus {
@@ -62,7 +62,7 @@ struct BoundAct {
 struct WorldPlan {
     std::uint32_t inputs = 0;
     std::vector<BoundWorldFeed> feeds;
-    std::vector<std::vector<BoundAct>> acts;  ///< for each output
+    std::vector<std::vector<BoundAct>> acts;  ///< the effects of each output
 };
 
 /// The plan of the first kind of robots. It contains the plans of the other kinds.
@@ -71,12 +71,12 @@ struct Plan {
     std::uint32_t inputs = 0;
     std::vector<BoundFeed> feeds;
     std::vector<BoundStimulus> stimuli;
-    std::vector<std::vector<Effect>> effects;  ///< for each output
+    std::vector<std::vector<Effect>> effects;  ///< the effects of each output
     std::vector<double> variables;             ///< initial values of the slots
-    std::vector<std::uint32_t> messages;       ///< for each sensor: the slot that robots send, or `no_slot`
+    std::vector<std::uint32_t> messages;       ///< the slot that robots send for each sensor, or `no_slot`
     std::optional<BoundSpeeds> speeds;         ///< the drive follows two variables
     std::uint32_t requests = 0;
-    std::vector<Plan> others;  ///< for each kind in Scenario::others; these plans have no others
+    std::vector<Plan> others;  ///< plans of the kinds in Scenario::others; `others` is empty in them
     std::optional<WorldPlan> environment;
 
     [[nodiscard]] const Plan& of_kind(std::size_t kind) const { return kind == 0 ? *this : others[kind - 1]; }

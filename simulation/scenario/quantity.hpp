@@ -29,7 +29,7 @@ struct Unit {
 /// A written number in the internal unit.
 struct Quantity {
     double value = 0;
-    Dimension dimension = Dimension::number;  ///< of the written unit
+    Dimension dimension = Dimension::number;  ///< the dimension of the written unit
     diagnostics::Span span;
 };
 

@@ -119,13 +119,13 @@ struct LightNow {
 struct Obstacle {
     Name name;
     std::vector<Vector> corners;  ///< at least three, in order
-    bool there = true;            ///< at the start
+    bool there = true;            ///< true: the obstacle is present at the start
 };
 
 struct Placement {
     enum class Kind { pose, region, square, arena, linked };
     Kind kind = Kind::pose;
-    Pose pose;        ///< of one robot; square: its centre; linked: of the first robot
+    Pose pose;        ///< pose: the robot's; square: its centre; linked: the first robot's
     Region region;    ///< random positions in it
     double area = 0;  ///< square: area per robot
     double link = 0;  ///< linked: greatest distance of centres to a robot placed before
@@ -163,13 +163,13 @@ struct Failure {
 /// A condition on an instant or on a trial. Instants are the start and the ends of control steps.
 struct Formula {
     enum class Kind {
-        compare,   ///< of an instant: a measure is between `low` and `high`
-        stays,     ///< of an instant: the part has been true continuously for `time`
-        at,        ///< of a trial, from here on: the part, of an instant, is true at `time`
+        compare,   ///< condition on an instant: a measure is between `low` and `high`
+        stays,     ///< condition on an instant: the part has been true continuously for `time`
+        at,        ///< condition on a trial, like those below: the part, on an instant, is true at `time`
         within,    ///< true at some instant up to `time`
         until,     ///< the second part is true at some instant up to `time`, the first at every earlier one
         always,    ///< true at every instant
-        negation,  ///< of an instant or trial, like its parts; also from here on
+        negation,  ///< condition on an instant or a trial, like its parts; so are those below
         both,
         either,
     };
@@ -205,7 +205,7 @@ struct Band {
 
 /// `accept probability PROPERTY >= SHARE with confidence SHARE`, or `estimate probability PROPERTY with ...`.
 struct Claim {
-    Formula property;       ///< of a trial
+    Formula property;       ///< a condition on a trial
     bool estimate = false;  ///< no claim: an interval after the trials of the scenario
     bool at_least = true;   ///< otherwise at most
     double probability = 0;
@@ -240,7 +240,7 @@ struct Distinction {
 /// measure.
 struct ChainQuestion {
     bool time = true;   ///< otherwise the average of `measure`
-    Formula condition;  ///< of an instant
+    Formula condition;  ///< a condition on an instant
     std::size_t measure = 0;
     double confidence = 0;
     std::string text;  ///< as written
@@ -259,7 +259,7 @@ struct WorldFeed {
     Name target;
     std::size_t measure = 0;
     double factor = 1;                 ///< the measure is divided by this
-    std::optional<Formula> condition;  ///< of an instant; instead of the measure
+    std::optional<Formula> condition;  ///< a condition on an instant, instead of the measure
     std::string text;                  ///< "when close >= 51 %", "with close in %"
     diagnostics::Span span;
 };
@@ -272,7 +272,7 @@ struct WorldAct {
     std::optional<Vector> to;  ///< light_move: the target; no value: the two arguments of the command
     double factor = 1;         ///< the arguments are multiplied by this
     double speed = 0;          ///< light_move, cm/s
-    Failure failure;           ///< of this number of working robots, chosen at random
+    Failure failure;           ///< the failure of this number of working robots, chosen at random
     Stimulus stimulus;
     Name on;  ///< an operation or output event of the environment's component
     diagnostics::Span span;

@@ -169,7 +169,7 @@ private:
     void check_places();
     void check_lights();
 
-    std::string path_;  ///< of the scenario
+    std::string path_;  ///< the path of the scenario
     Reader in_;
     Scenario scenario_;
     RobotKind* kind_ = &scenario_;  ///< the kind whose feeds, drives, places, stimuli and failures are being parsed
@@ -180,8 +180,8 @@ private:
     std::map<std::string, diagnostics::Span> names_;
     std::vector<std::string> unknown_sensors_;
     std::vector<Inside> inside_;
-    std::vector<std::pair<double, diagnostics::Span>> times_;  ///< must be before the end
-    std::size_t depth_ = 0;                                    ///< of the formula being parsed
+    std::vector<std::pair<double, diagnostics::Span>> times_;  ///< times that must be before the end
+    std::size_t depth_ = 0;                                    ///< the depth of the formula being parsed
 };
 
 }  // namespace robochart::simulation

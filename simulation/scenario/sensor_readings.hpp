@@ -16,7 +16,7 @@ struct ReadingRow {
     Reading reading;
     Carries carries;
     std::optional<Dimension> argument;
-    Dimension result = Dimension::number;  ///< for real readings
+    Dimension result = Dimension::number;  ///< the dimension of a real reading
 };
 
 [[nodiscard]] std::span<const ReadingRow> readings();

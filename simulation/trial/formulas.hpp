@@ -39,7 +39,7 @@ private:
 struct Answer {
     std::optional<bool> holds;
     std::uint64_t step = 0;  ///< the number of steps after which it was known
-    bool taken = false;      ///< it was not known: the trial was stopped, and this value is assumed
+    bool taken = false;      ///< the trial was stopped before the value was known; this value is assumed
 
     friend bool operator==(const Answer&, const Answer&) = default;
 };

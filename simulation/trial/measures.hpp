@@ -19,7 +19,7 @@ struct Frame {
     std::vector<Pose> poses;
     std::vector<std::uint16_t>
         states;                 ///< by robot and machine: index of the state; the number of states between states
-    std::vector<bool> working;  ///< by robot: no part has failed; empty: no robot has failed parts
+    std::vector<bool> working;  ///< true: no part of the robot has failed; empty: no part of any robot
     std::vector<LightNow> lights = {};  ///< empty: as the scenario defines them at that time
     std::vector<bool> obstacles = {};   ///< for Scenario::obstacles: present or not; empty: as at the start
 
@@ -77,7 +77,7 @@ private:
         double value = 0;
         std::uint64_t looks = 0;
         bool done = false;
-        std::optional<Condition> condition;  ///< for first_time
+        std::optional<Condition> condition;  ///< the condition of first_time
     };
     [[nodiscard]] bool due(std::size_t band, std::uint64_t step) const;
 

@@ -63,7 +63,7 @@ constexpr const char* no_finite_number = "it commanded a movement by a number th
 /// A light that a trial moves and switches: its position and the time since when it is valid.
 struct MovingLight {
     Light light;
-    double since = 0;  ///< s
+    double since = 0;  ///< the time of this position, in s
     bool on = true;
 
     [[nodiscard]] Vector position(double time) const { return light.position(time - since); }
@@ -642,13 +642,13 @@ private:
     std::vector<Failed> failed_;
     std::vector<Failing> failing_;
     std::vector<bool> working_;  ///< empty if no part can fail
-    Random draws_;  ///< for failures, messages and random walks; sensors and wheels use the world's generator
+    Random draws_;  ///< draws failures, messages and random walks; sensors and wheels use the world's generator
     std::vector<std::optional<Sight>> sights_;
     std::vector<MovingLight> lights_;
-    std::vector<bool> obstacles_;  ///< for Scenario::obstacles: present or not
+    std::vector<bool> obstacles_;  ///< true: the obstacle of Scenario::obstacles is present
     std::optional<ControllerArray> environment_;
-    std::vector<std::optional<Condition>> conditions_;  ///< for the environment's feeds
-    std::vector<std::vector<BoundStimulus>> raised_;    ///< by the environment in its last cycle, for each kind
+    std::vector<std::optional<Condition>> conditions_;  ///< the conditions of the environment's feeds
+    std::vector<std::vector<BoundStimulus>> raised_;  ///< events that the environment raised in its last cycle, by kind
     Statistics statistics_;
     std::vector<Property> properties_;
     TrialResult result_;

@@ -62,10 +62,10 @@ struct Stop {
 struct TrialResult {
     std::uint64_t steps = 0;  ///< executed control steps
     bool complete = false;    ///< neither stopped nor interrupted: at its end, or all claims are known
-    bool watched = true;      ///< its trace observed everything it needs; also true without a trace
+    bool watched = true;      ///< the trace observed everything it needs, or there is no trace
     std::optional<Stop> stop;
-    std::vector<double> statistics;  ///< for each band; NaN: never reached
-    std::vector<Answer> answers;     ///< for each claim; a stopped trial counts against it
+    std::vector<double> statistics;  ///< the statistic of each band; NaN: never reached
+    std::vector<Answer> answers;     ///< the answer to each claim; a stopped trial counts against the claim
     std::vector<Frame> frames;       ///< every Scenario::record, and at the times of pictures
     /// The values that a chain distinguishes, at the times of its states: one value per distinction.
     std::vector<std::vector<double>> samples;
@@ -75,7 +75,7 @@ struct TrialOptions {
     bool record = true;  ///< store frames
     /// The claims whose answers are awaited; the trial ends when all of them are known. Null: it runs to its end.
     const std::vector<bool>* awaited = nullptr;
-    std::uint64_t seed = 1;  ///< for random choices of the controllers
+    std::uint64_t seed = 1;  ///< the seed of random choices of the controllers
     Trace* trace = nullptr;  ///< not owned
     std::atomic<std::uint64_t>* steps_done = nullptr;
     const std::atomic<bool>* interrupted = nullptr;

@@ -24,7 +24,7 @@ enum class Elimination {
 /// Options of a search. The results of a search depend only on these options and on the costs.
 struct RaceOptions {
     std::uint64_t budget = 1000;  ///< number of trials
-    std::uint64_t seed = 1;       ///< of the random choices
+    std::uint64_t seed = 1;       ///< the seed of the random choices
     Elimination elimination = Elimination::friedman;
 };
 
@@ -54,7 +54,7 @@ struct RaceEntry {
     Candidate candidate;
     Neighbourhood near;
     bool usable = true;
-    std::vector<std::optional<double>> costs;  ///< by seed
+    std::vector<std::optional<double>> costs;  ///< the cost of each seed; no value: no trial ran
 
     [[nodiscard]] std::uint64_t trials() const;
     /// The mean cost of its trials.

@@ -17,7 +17,7 @@ struct Parameter {
     std::string name;                 ///< "farRadius", "Keep::patience"
     std::string text;                 ///< as written: "0.05..0.5"
     std::vector<std::string> listed;  ///< if not empty: these values, unordered
-    std::int64_t low = 0;             ///< of the range, in steps
+    std::int64_t low = 0;             ///< the lower bound of the range, in steps
     std::uint64_t count = 0;          ///< number of values of the range, at most 1,000,000
     int decimals = 0;                 ///< a step is 10^-decimals
 
@@ -52,8 +52,8 @@ using Candidate = std::vector<std::uint64_t>;
 /// 2016, section 3.2). For ordered parameters it is a normal distribution around the candidate's value, truncated at
 /// the ends of the range. For lists it is a discrete distribution.
 struct Neighbourhood {
-    std::vector<double> deviations;                  ///< for each ordered parameter, in steps
-    std::vector<std::vector<double>> probabilities;  ///< for each list, by value
+    std::vector<double> deviations;                  ///< standard deviations of the ordered parameters, in steps
+    std::vector<std::vector<double>> probabilities;  ///< the probabilities of the values of each list
 };
 /// The initial neighbourhood: half a range, and equal probabilities.
 [[nodiscard]] Neighbourhood whole_space(const std::vector<Parameter>&);

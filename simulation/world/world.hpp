@@ -37,7 +37,7 @@ struct WorldOptions {
     Arena arena;
     Body body;
     double control_step = 0.1;         ///< s
-    std::uint32_t physics_steps = 10;  ///< in each control step
+    std::uint32_t physics_steps = 10;  ///< the number of physics steps in a control step
     /// From this number of robots on, pairs are looked up in cells; the results are the same.
     std::size_t cells_from = 40;
 };
@@ -122,13 +122,13 @@ private:
     };
 
     WorldOptions options_;
-    std::size_t fixed_walls_ = 0, fixed_obstacles_ = 0;  ///< of the arena; those present now follow them
+    std::size_t fixed_walls_ = 0, fixed_obstacles_ = 0;  ///< numbers of permanent ones; the others follow them
     std::vector<Changing> changing_;
     Random random_;
     std::uint64_t steps_ = 0;
     std::vector<double> x_, y_, heading_, cosine_, sine_;
-    Body body_;                                       ///< of the next robot to be placed
-    std::vector<double> axle_, max_wheel_, noise_;    ///< of each robot
+    Body body_;                                       ///< the body of the next robot to be placed
+    std::vector<double> axle_, max_wheel_, noise_;    ///< values of each robot
     std::vector<double> left_, right_;                ///< requested wheel speeds
     std::vector<double> step_x_, step_y_;             ///< displacement of the next physics step
     std::vector<double> turn_cos_, turn_sin_, turn_;  ///< rotation in a physics step; angle in a control step

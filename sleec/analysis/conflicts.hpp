@@ -19,8 +19,8 @@ enum class Answer : std::uint8_t { no, yes, not_decided };
 /// One side of a conflict: an obligation and the trigger that opened it.
 struct Side {
     std::size_t rule = 0;
-    std::int64_t began = 0;  ///< second
-    Valuation values;        ///< at the trigger
+    std::int64_t began = 0;  ///< the second of the trigger
+    Valuation values;        ///< the values at the trigger
     Demand demand;           ///< the clashing demand; its window is counted from `began`
 };
 
@@ -41,7 +41,7 @@ struct ConflictAnswer {
     std::vector<std::size_t> rules;
     Answer conflict = Answer::no;
     std::optional<Conflict> example;
-    std::string reason;  ///< not decided: the reason
+    std::string reason;  ///< the reason why the question is not decided
     std::uint64_t states = 0;
 };
 

@@ -17,7 +17,7 @@ struct Happening {
     std::int64_t second = 0;
     std::size_t event = 0;
     Valuation values;
-    bool named = false;  ///< the property is about this occurrence
+    bool named = false;  ///< true: the property is about this occurrence
 };
 
 /// Whether some history in which the property occurs obeys all rules.

@@ -49,7 +49,7 @@ struct Question {
 struct Clash {
     OpenObligation due;
     std::vector<std::size_t> events;  ///< the events of its demands
-    std::vector<OpenObligation> by;   ///< for each event, the obligation that forbids it
+    std::vector<OpenObligation> by;   ///< the obligation that forbids each event
 };
 /// A clash at this instant in which all judged rules take part.
 [[nodiscard]] std::optional<Clash> clash(const Question& question, const std::vector<OpenObligation>& open);
@@ -93,7 +93,7 @@ private:
     lts::EventTable events_;
     lts::Event tock_ = 0;
     lts::Event aside_ = 0;
-    std::vector<lts::Event> names_;  ///< for each occurrence
+    std::vector<lts::Event> names_;  ///< the event of each occurrence
     bool left_out_ = false;
 };
 

@@ -16,8 +16,8 @@ namespace robochart::sleec {
 /// A condition with resolved names. Truth values are 0 and 1; values of a scale are indices from 0.
 struct Condition {
     Op op = Op::number;       ///< `number`: `value`; `name`: the measure
-    std::int64_t value = 0;   ///< of a number
-    std::size_t measure = 0;  ///< of a name
+    std::int64_t value = 0;   ///< the value of a number
+    std::size_t measure = 0;  ///< the measure of a name
     std::vector<Condition> parts;
     const Expr* written = nullptr;
 };

@@ -109,7 +109,7 @@ private:
 /// The size of the obligations of one duty. Counts are limited to `most_open`.
 struct Shape {
     std::size_t demands = 0, endings = 0;
-    std::size_t open = 0;  ///< how many different duties of it can be open
+    std::size_t open = 0;  ///< the number of different duties that can be open
 };
 
 /// Computes the sizes of all obligations of a rule, for every combination of its defeaters.
@@ -125,7 +125,7 @@ public:
 private:
     struct Way {
         std::size_t demands = 0, prohibitions = 0, endings = 0;
-        std::int64_t seconds = 0;  ///< after them, it no longer changes
+        std::int64_t seconds = 0;  ///< the obligation no longer changes after this time
         std::int64_t begin = 0;
         bool at_once = true;  ///< its only window starts at the trigger
     };

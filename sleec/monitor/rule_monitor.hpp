@@ -15,11 +15,11 @@ namespace robochart::sleec {
 /// A duty that was broken.
 struct Violation {
     std::size_t rule = 0;
-    std::int64_t began = 0;  ///< second of its trigger
-    Valuation values;        ///< at the trigger
+    std::int64_t began = 0;  ///< the second of the trigger
+    Valuation values;        ///< the values at the trigger
     Obligation obligation;
-    std::optional<std::size_t> event;  ///< the event that broke it; no value: the end of a second
-    std::int64_t second = 0;           ///< in which it was broken
+    std::optional<std::size_t> event;  ///< the event that broke the duty; no value: the end of a second
+    std::int64_t second = 0;           ///< the second in which the duty was broken
 };
 
 /// A value for each measure of the file; no value: unknown.

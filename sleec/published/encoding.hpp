@@ -14,8 +14,8 @@ namespace robochart::sleec {
 
 /// Prefixes and suffixes of names in the script.
 struct EncodingNames {
-    std::string prefix = "e_";  ///< of names of events and measures
-    std::string suffix;         ///< of names of processes
+    std::string prefix = "e_";  ///< the prefix of names of events and measures
+    std::string suffix;         ///< the suffix of names of processes
 };
 
 /// Rules as a script. Throws NotDecided for constructs that SLEEC-TK rejects.

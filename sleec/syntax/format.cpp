@@ -135,7 +135,7 @@ private:
 
     std::string_view text_;
     const std::vector<Token>& tokens_;
-    std::set<std::uint32_t> begins_, mapped_;  ///< of rules, concerns and purposes; of the names after `map`
+    std::set<std::uint32_t> begins_, mapped_;  ///< where rules and properties begin; names after `map`
     std::vector<bool> begins_item_;            ///< for each token; the end counts
     bool inside_ = false;                      ///< inside a block
     std::string out_;

@@ -58,7 +58,7 @@ struct Expr {
     std::string text;
     std::vector<ExprPtr> parts;
     bool braced = false;     ///< a name in braces, as LEGOS writes measures
-    bool bracketed = false;  ///< in parentheses
+    bool bracketed = false;  ///< the expression is in parentheses
 };
 /// True if operators, names and literals are equal; places and superfluous parentheses are ignored.
 [[nodiscard]] bool same_expr(const ExprPtr& a, const ExprPtr& b);
@@ -98,7 +98,7 @@ struct Response {
     ResponsePtr otherwise;               ///< null: none
     bool written_else = false;           ///< `else` instead of `otherwise` (LEGOS)
     std::vector<Defeater> defeaters;
-    bool braced = false;  ///< in braces
+    bool braced = false;  ///< the response is in braces
     Span span;
 };
 

@@ -19,7 +19,7 @@ namespace robochart::probability {
 /// A random path in terms of the model.
 struct Path {
     struct Step {
-        std::string by;       ///< the events, otherwise the machine that moves
+        std::string by;       ///< the events of the step; without an event, the machine that moves
         std::string changes;  ///< "M::c::s at A, M::c::s::x = 1"; "" if only internal variables change
     };
     std::string begin;  ///< the initial state
@@ -43,8 +43,8 @@ struct Row {
 struct Deciding {
     double relative = 1e-6;  ///< width of intervals relative to their values
     bool exact = false;      ///< exact fractions
-    std::uint64_t seed = 0;  ///< for random paths, if the question is answered by them
-    unsigned threads = 0;    ///< for random paths; 0: one per core
+    std::uint64_t seed = 0;  ///< the seed of random paths, if they answer the question
+    unsigned threads = 0;    ///< the number of threads for random paths; 0: one per core
 };
 
 /// Decides the question and calls `found` with each row as soon as it is known. Throws NotExpressed if an element has

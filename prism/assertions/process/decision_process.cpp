@@ -20,9 +20,9 @@ using Distribution = std::vector<std::pair<lts::StateIndex, Rational>>;
 
 /// A step without the states that it connects.
 struct Kind {
-    const EventMeaning* meaning = nullptr;  ///< of the event, or of the hidden event
+    const EventMeaning* meaning = nullptr;  ///< the meaning of the event or of the hidden event
     bool tock = false;
-    bool waits = false;  ///< an input: the platform decides whether it occurs
+    bool waits = false;  ///< true for an input: the platform decides whether it occurs
 };
 
 /// A choice of a state.
@@ -290,10 +290,10 @@ private:
     const std::function<void()>& poll_;
     Weights weights_;
     DecisionProcess result_;
-    std::vector<markov::State> number_;  ///< by state of the exploration
+    std::vector<markov::State> number_;  ///< the number of each state of the exploration
     std::map<std::pair<lts::Event, lts::Event>, Kind> kinds_;
     std::map<Rational, std::uint32_t> numbers_;
-    std::vector<Parities> parities_;  ///< by state of the exploration; empty: not needed
+    std::vector<Parities> parities_;  ///< the parities in each state of the exploration; empty: not needed
     std::map<EventSet, std::uint32_t> actions_;
     std::map<markov::State, Choice> single_;  ///< states with a single choice, which has been added
 };

@@ -178,7 +178,7 @@ private:
     const ExploredProcess& process_;
     const std::function<void()>& poll_;
     Ticks ticks_;
-    std::vector<std::uint32_t> bits_;  ///< for each state
+    std::vector<std::uint32_t> bits_;  ///< the class of each state
     Following result_;
 };
 

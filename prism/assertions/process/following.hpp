@@ -15,7 +15,7 @@ namespace robochart::probability {
 /// Classes are bit sets: bit i is set if the i-th of the given states is active.
 struct Following {
     std::vector<std::uint32_t> classes;    ///< classes in which time passes, ascending
-    std::vector<bool> first;               ///< for each class: the component can start in it
+    std::vector<bool> first;               ///< [class]: the component can start in it
     std::vector<std::vector<bool>> after;  ///< [from][to], after exactly this number of time units
 };
 

@@ -21,10 +21,10 @@ namespace robochart::probability {
 struct ObservedEvent {
     std::string component;  ///< the component of the event, in the CSP semantics: "P::M::c::s"
     std::string event;      ///< relative to the component, as in the model: "e.in"
-    ir::Origin origin;      ///< of the event
-    ir::TypeId type;        ///< of its values; invalid: they are not needed, or it has none
-    bool valued = false;    ///< it carries values
-    bool module = false;    ///< the component is a module: it has no event when it terminates
+    ir::Origin origin;      ///< the origin of the event
+    ir::TypeId type;        ///< the type of the event's values; invalid if no value is needed or carried
+    bool valued = false;    ///< true: the event carries values
+    bool module = false;    ///< true: the component is a module, which has no event for termination
 
     /// The name of the observer's definition in the provenance, if it is a separate component.
     [[nodiscard]] std::string name() const { return component + " " + event; }

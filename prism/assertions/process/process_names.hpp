@@ -14,9 +14,9 @@ namespace robochart::probability {
 /// A value that is read from the states of a process: a variable of the PRISM model.
 struct Observable {
     std::string name;       ///< in PRISM
-    std::string component;  ///< of the machine, in the CSP semantics
+    std::string component;  ///< the component of the machine, in the CSP semantics
     std::string variable;   ///< "": a state is read
-    std::string state;      ///< its element
+    std::string state;      ///< the element of the state
     bool boolean = false;
     bool carried = false;  ///< the last value that an event carried; 0 before the first
 };

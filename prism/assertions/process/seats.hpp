@@ -12,10 +12,10 @@ namespace robochart::probability {
 struct Seat {
     const ir::Module* module = nullptr;          ///< null: not in a module
     const ir::Controller* controller = nullptr;  ///< null: the machine by itself
-    std::string part;                            ///< its name in the controller
+    std::string part;                            ///< the name of the machine in the controller
     const ir::Machine* machine = nullptr;
-    std::string path;       ///< in properties: "Module::controller_ref::machine_ref"
-    std::string component;  ///< in the CSP semantics: the same path after the package
+    std::string path;       ///< the path in properties: "Module::controller_ref::machine_ref"
+    std::string component;  ///< the name in the CSP semantics: the package and the path
 };
 
 /// The machines of a module or controller, or a single machine.

@@ -14,9 +14,9 @@ namespace robochart::probability {
 /// The values that an assertion gives to a constant, to be tried one after another.
 struct Setting {
     std::string name;                 ///< as written
-    std::string path;                 ///< for a constant of the model; "" for one of an assertion file
-    std::string constant;             ///< for one of an assertion file: its name in PRISM
-    std::vector<std::string> values;  ///< in PRISM: "0.5"; "1:2:9" is a range with its step
+    std::string path;                 ///< the path of a constant of the model; "" for one of an assertion file
+    std::string constant;             ///< the PRISM name of a constant of an assertion file
+    std::vector<std::string> values;  ///< the values in PRISM: "0.5"; "1:2:9" is a range with its step
 };
 
 /// A requested random path. Its members `steps`, `repeats` and `limit` are names of constants in Question::constants.
