@@ -51,7 +51,7 @@ public:
 private:
     [[nodiscard]] std::size_t trials() const { return chart_.series.empty() ? 0 : chart_.series.front().trials.size(); }
 
-    /// The band of all trials is only drawn for a single series; several would hide each other.
+    /// The band of all trials is drawn only for a single series, because several bands would hide each other.
     [[nodiscard]] bool everything() const { return chart_.series.size() == 1; }
 
     [[nodiscard]] std::vector<LegendEntry> entries() const {
@@ -86,7 +86,8 @@ private:
                            colour(0), opacity);
     }
 
-    /// From 0 (or below) to the greatest value, including targets that are near.
+    /// Returns the range from 0 (or the least value, if that is negative) to the greatest value, including targets that
+    /// are near.
     [[nodiscard]] Range range() const {
         Range found{0, 0};
         for (const Series& each : chart_.series)

@@ -87,7 +87,7 @@ private:
         }
     }
 
-    /// The claims that are not decided by the trials judged so far. A later trial must answer at least these.
+    /// Returns the claims that the trials judged so far do not decide. A later trial must answer at least these claims.
     std::vector<bool> still_awaited() {
         const std::lock_guard lock(mutex_);
         std::vector<bool> awaited;
@@ -141,7 +141,8 @@ private:
         if (options_.progress) options_.progress(progress());
     }
 
-    /// Trials beyond those that the claims are based on, which threads may have started, are ignored.
+    /// Returns true if the observers saw everything in the trials that the results are based on. Further trials, which
+    /// threads may have started, are ignored.
     [[nodiscard]] bool watched() const {
         std::uint64_t asked = whole_;
         for (const ClaimResult& each : result_.claims) asked = std::max<std::uint64_t>(asked, each.trials());

@@ -75,7 +75,7 @@ public:
         bits_.assign(emission.outputs.size(), no_slot);
     }
 
-    /// Events that the environment raises count as fed.
+    /// Binds the ports of a kind of robots. Events that the environment raises count as fed.
     Plan bind(const RobotKind& kind, const Emissions& all) {
         for (const Sensor& sensor : scenario_.sensors)
             plan_.messages.push_back(
@@ -102,7 +102,7 @@ public:
         return plan;
     }
 
-    /// No value, with a finding, if the component has no such event.
+    /// Returns no value, and reports a finding, if the component has no such event.
     std::optional<BoundStimulus> raise(const Stimulus& stimulus) {
         const auto found = input(stimulus.event);
         if (!found) return std::nullopt;
@@ -122,8 +122,8 @@ public:
     }
 
 private:
-    /// True if robots of this kind do not send the variable of this sensor. If no kind could send it, this is reported
-    /// for the first kind only.
+    /// True if robots of this kind do not send the variable of this sensor. If no kind sends the variable, this is
+    /// reported for the first kind only.
     [[nodiscard]] bool is_silent(const Sensor& sensor, const Emissions& all) const {
         if (sensor.message.text.empty()) return true;
         const auto sends = [&](const cpp_emit::DriveEmission* emission) {
@@ -178,7 +178,7 @@ private:
         plan.acts[*found].push_back(std::move(bound));
     }
 
-    /// An operation of the environment's platform, or an event that it sends.
+    /// Finds an operation of the environment's platform, or an event that the environment sends.
     std::optional<std::uint32_t> command(const Name& name) {
         const auto commands = [](const Port& port) { return port.kind != Port::Kind::variable; };
         for (std::uint32_t i = 0; i < emission_.outputs.size(); ++i)
@@ -256,7 +256,7 @@ private:
         plan_.feeds.push_back(bound);
     }
 
-    /// The slot with the value that the controller last wrote to a shared variable.
+    /// Returns the slot with the value that the controller last wrote to a shared variable.
     std::optional<std::uint32_t> variable(const Name& name, Carries carries = Carries::real) {
         const auto found = output(name, Port::Kind::variable, "shared variable that it writes named");
         if (!found) return std::nullopt;
@@ -314,7 +314,7 @@ private:
         return found->carried == wanted && (wanted != Carried::enumeration || found->type == type);
     }
 
-    /// Null, with a finding, if there is no such constant, or if machines have different ones.
+    /// Returns null, and reports a finding, if there is no such constant, or if machines have different ones.
     const cpp_emit::DriveConstant* constant(const Name& name, const Port& port) {
         const cpp_emit::DriveConstant* found = nullptr;
         std::vector<std::string> known = port.literals.front();

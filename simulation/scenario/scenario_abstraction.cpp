@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses scenarios: `abstract`, the states of a chain, and the questions that only a chain answers.
+// Parses `abstract` in scenarios: the states of a chain, and the questions that only a chain answers.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -231,7 +231,7 @@ void ScenarioReader::world_drive() {
     add_act(std::move(act), begin);
 }
 
-/// The rest is skipped, because its form depends on the unknown subject.
+/// Skips the rest, because its form depends on the unknown subject.
 void ScenarioReader::unknown_subject(const Name& name) {
     std::vector<std::string> known;
     for (const Light& each : scenario_.lights) known.push_back(each.name.text);

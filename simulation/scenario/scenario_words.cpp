@@ -91,8 +91,8 @@ double Reader::number() {
     return negative ? -value : value;
 }
 
-/// The unit directly after a number, or "". Words that are not units are not taken: `5 s` has a unit, `trials 10 seed
-/// 1` has none.
+/// Reads the unit directly after a number; "" if there is none. A word that is not a unit is not read: `5 s` has a
+/// unit, `trials 10 seed 1` has none.
 std::string Reader::unit_text() {
     if (take("%")) return "%";
     const Token next = token();

@@ -17,7 +17,7 @@ std::size_t count_stays(const Formula& formula) {
     return count;
 }
 
-/// The step for a time; for an infinite time, the end.
+/// Returns the step for a time; the last step for an infinite time.
 std::uint64_t step_at(double time, double control_step, std::uint64_t end) {
     return std::isinf(time) ? end : static_cast<std::uint64_t>(std::llround(time / control_step));
 }

@@ -26,7 +26,7 @@ struct Course {
     double rate = 0;               ///< wander: turning rate of the current second, rad/s
 };
 
-/// The greatest turning rate of a wandering robot, in rad/s, and the turning rate of a seeking robot per radian of
+/// The greatest turning rate of a wandering robot, in rad/s, and the turning rate of a seeking robot for each radian of
 /// deviation.
 constexpr double wandering = 1.5;
 constexpr double seeking = 4;
@@ -454,7 +454,8 @@ private:
         return false;
     }
 
-    /// The number of robots that are heard, or the message of one of them; no value if none sends one.
+    /// Returns the number of robots that are heard, or the message of one of them; no value if no robot sends a
+    /// message.
     std::optional<std::int64_t> counted(std::size_t robot, const BoundFeed& bound) {
         std::vector<std::uint32_t> heard = stage_.robots_within(robot, sensor(bound), argument(robot, bound));
         if (bound.feed->reading == Reading::count) return static_cast<std::int64_t>(heard.size());
@@ -533,7 +534,7 @@ private:
         turns_[robot] = {normal_angle(angle), 2 * drive.speed / axle(robot)};
     }
 
-    /// A turn by dead reckoning: the full rate while a whole step remains, then the rest.
+    /// Continues a turn by dead reckoning: at the full rate while a whole step remains, then by the rest.
     void move(std::size_t robot) {
         if (courses_[robot].drive != nullptr) return follow(robot, courses_[robot]);
         Turn& turn = turns_[robot];
@@ -549,8 +550,8 @@ private:
         turn.left = std::abs(turn.left) <= most ? 0 : turn.left - now;
     }
 
-    /// A correlated random walk: the turning rate is drawn every second. Seeking: the robot turns faster the more it
-    /// deviates, and moves forward in proportion to its alignment with the light.
+    /// Follows a course. Wandering is a correlated random walk: the turning rate is drawn every second. A seeking robot
+    /// turns faster the more it deviates, and moves forward in proportion to its alignment with the light.
     void follow(std::size_t robot, Course& course) {
         const double between = axle(robot);
         const double speed = course.drive->speed;

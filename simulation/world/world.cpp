@@ -17,7 +17,7 @@ constexpr double margin = 6;
 /// The largest displacement by pushes in one physics step that the pair list tolerates, in cm.
 constexpr double slack = 1;
 
-/// The places of robots already placed: squares as wide as a robot, for lookup by number only.
+/// The places of robots already placed, in squares as wide as a robot. The squares are used only for lookup by number.
 class Places {
 public:
     explicit Places(double radius) : reach_(2 * radius) {}
@@ -235,8 +235,8 @@ void World::move() {
     }
 }
 
-/// Pairs that can touch are listed. The list is valid while no robot is farther than half the margin from its position
-/// in the list (Verlet list).
+/// The list of pairs that can touch is valid while no robot is farther than half the margin from its position in the
+/// list (Verlet list).
 bool World::pairs_are_stale() const {
     if (listed_x_.size() != size()) return true;
     double worst = 0;

@@ -132,7 +132,7 @@ public:
         return result;
     }
 
-    /// A run to an instant that never ends: the conflict contains each duty that is due.
+    /// Makes a conflict from a run to an instant that never ends. The conflict contains each duty that is due.
     Conflict endless(const std::vector<lts::Event>& steps) {
         for (const lts::Event step : steps) take(step);
         Conflict result;
@@ -209,8 +209,8 @@ private:
     std::int64_t now_ = 0;
 };
 
-/// The steps to a state from which time can no longer pass and no clash of some of the rules is reachable. No value if
-/// there is no such state.
+/// Finds the steps to a state from which time can no longer pass and from which no clash of some of the rules is
+/// reachable. No value if there is no such state.
 std::optional<std::vector<lts::Event>> endless_instant(RuleSystem& system, const AnalysisOptions& options) {
     const auto explored = lts::explore(system, [&](std::size_t states) {
         if (options.budget != nullptr) options.budget->poll();

@@ -143,8 +143,8 @@ private:
         }
     }
 
-    /// True for an occurrence that the property waits for, that may fulfil or end a duty, or that may break the
-    /// property's duty.
+    /// True for an occurrence that the property waits for, that may fulfil or end a duty, or that may break the duty of
+    /// the property.
     [[nodiscard]] bool useful(const State& state, std::size_t event) const {
         if ((state.awaited && event == property_.trigger) || (state.during && event == *property_.during)) return true;
         if (state.to_break) {
@@ -318,7 +318,7 @@ private:
         return effect == Effect::open && progress == duty.progress;
     }
 
-    /// True if only a demand without limit is left of the duty.
+    /// True if the remaining part of the duty is only a demand without limit.
     [[nodiscard]] bool without_limit(const OpenDuty& duty) const {
         const Obligation& obligation = obligations_[duty.obligation];
         for (std::size_t i = 0; i < obligation.any.size(); ++i) {

@@ -92,7 +92,7 @@ bool forbids(const Question& question, const OpenObligation& open, std::size_t e
     return take_event(question.of(open), progress, event) == Effect::broken;
 }
 
-/// For each judged rule, one obligation that forbids the event now; for a demand without limit, forever.
+/// Returns, for each judged rule, one obligation that forbids the event now, or forever for a demand without limit.
 std::vector<OpenObligation> forbidding(const Question& question, const std::vector<OpenObligation>& open,
                                        std::size_t event, bool for_ever) {
     std::vector<OpenObligation> result;
@@ -236,8 +236,8 @@ void RuleSystem::successors(lts::StateView packed, lts::SuccessorSink& sink) {
     tock(state, sink);
 }
 
-/// An occurrence first fulfils or breaks open obligations, then opens new ones; it has no effect on those that it
-/// opens.
+/// An occurrence first fulfils or breaks open obligations, then opens new ones. It has no effect on the obligations
+/// that it opens.
 void RuleSystem::take(const State& state, std::size_t occurrence, lts::SuccessorSink& sink) {
     const Occurrence& taken = question_.occurrences[occurrence];
     State next;

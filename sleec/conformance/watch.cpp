@@ -280,7 +280,7 @@ Tree Watch::reading(std::size_t place) const {
                       read, build::number(changing));
 }
 
-/// The process before a trigger is selected: any trigger may be the one that is followed.
+/// The process before a trigger is selected. Any trigger may be the one whose obligation is followed.
 std::vector<DeclPtr> Watch::idle() const {
     Exprs measures, not_read, changes;
     std::vector<std::string> parameters;
@@ -326,7 +326,7 @@ Tree Watch::against() const {
                       build::call(wrong_process, std::move(same)));
 }
 
-/// A reading of a measure while an obligation is open: a value other than the assumed one discards the run.
+/// Reads a measure while an obligation is open. A value other than the assumed one discards the run.
 Tree Watch::compared(std::size_t place, const Tree& then) const {
     const Tree assumed = build::name(variable(place));
     const Tree other =

@@ -30,8 +30,8 @@ public:
     }
 
 private:
-    /// The last defeater whose condition is true decides; the defeaters of its response are then evaluated in the same
-    /// way.
+    /// Returns the response in force. The last defeater whose condition is true decides; then the defeaters of its
+    /// response are evaluated in the same way.
     DutyPtr in_force(DutyPtr duty) {
         while (duty) {
             const CheckedDefeater* last = nullptr;

@@ -174,7 +174,7 @@ Tree Encoding::response(const DutyPtr& duty) const {
     return build::call(name("Before"), {event, build::number(*duty->to), response(duty->otherwise)});
 }
 
-/// All measures of all defeaters are read; the last defeater whose condition is true decides.
+/// Reads all measures of all defeaters; the last defeater whose condition is true decides.
 Tree Encoding::monitoring(const CheckedRule& rule) const {
     std::vector<const Condition*> conditions;
     Tree decided = response(rule.duty);

@@ -71,7 +71,7 @@ TEST(Aggregation, ASymmetricStartNeedsErrors) {
     EXPECT_GE(at_point("symmetric.scenario", 0.1, 20).claims.at(0).successes, 15U);
 }
 
-/// Bjerknes and Winfield: at least nine of ten robots still work with probability p^10 + 10 p^9 (1 - p), which is
+/// Bjerknes and Winfield: at least nine of ten robots still work with probability p^10 + 10 p^9 (1 - p). This value is
 /// within the joint intervals.
 TEST(Aggregation, ReliabilityIsThatOfTheFormula) {
     constexpr double error = 0.01 / 5;

@@ -125,7 +125,7 @@ TEST(Drive, BearsAnyNameOfTheModelsFile) {
     EXPECT_STREQ(controller->drive().place_of(one[0]), "Echo::i (a \"strange\\ name.rct:13)");
 }
 
-/// One machine keeps its state; with the event, the other goes to the inner state of a composite state.
+/// The first machine keeps its state. With the event, the second machine goes to the inner state of a composite state.
 TEST(Drive, ShowsTheStateOfEachMachine) {
     Experiment experiment(R"(
 interface Events { event go }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decision process compared with its sources. It is branching bisimilar to the process that is checked for
-// refinement (otherwise ProcessEncoding throws std::logic_error). The values of a restricted class of schedulers are
-// within the bounds for all schedulers.
+// Compares the decision process with its sources. The decision process is branching bisimilar to the process that is
+// checked for refinement (otherwise ProcessEncoding throws std::logic_error). The values of a restricted class of
+// schedulers are within the bounds for all schedulers.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -105,8 +105,8 @@ TEST(Agreement, OfRandomModels) {
     EXPECT_GT(rewarded, 0u);
 }
 
-/// The bracket theorem: a Markov chain resolves every choice of the same text, read as a decision process, by one
-/// scheduler. Many models have no counterpart in RoboTool's encoding.
+/// The bracket theorem: a Markov chain resolves every choice of the decision process with the same text by one
+/// scheduler, so its values are within the bounds. Many models have no counterpart in RoboTool's encoding.
 TEST(Agreement, TheChainLiesBetweenTheSchedulers) {
     random_models::Shape shape = random_models::Shape::untimed_core();
     shape.probabilistic = true;
@@ -156,7 +156,8 @@ DecisionProcess fork(bool whole) {
     model.numbers = {{1, 1}, {0.5, 0.5}};
     model.exact = {Rational(1), Rational(1, 2)};
     model.actions = {"", "tock", "loop"};
-    // State 0: half to 1, half to 2; in the whole process also tock back to 0. States 1 and 2 are absorbing.
+    // State 0 leads to 1 or 2 with probability one half each; in the whole process it also has a tock back to 0. States
+    // 1 and 2 are absorbing.
     model.target = {1, 2};
     model.number = {1, 1};
     model.first_branch = {0, 2};

@@ -11,7 +11,7 @@
 namespace robochart::probability {
 namespace {
 
-/// Two time units in A, then B immediately, and from B to C on request.
+/// The machine stays in A for two time units, then goes to B immediately, and from B to C on request.
 const char* const machine =
     "stm S { event go initial i state A { entry wait(2) } state B { } state C { } transition t0 { from i to A } "
     "transition t1 { from A to B } transition t2 { from B to C trigger go } }";

@@ -36,7 +36,7 @@ struct Claim {
 };
 [[nodiscard]] Claim claim(const Loaded&, const std::string& name);
 
-/// Ranges 0..2 for nat, int and real, and a dtmc.
+/// Options with the ranges 0..2 for nat, int and real, for a dtmc.
 [[nodiscard]] RoboToolOptions small_ranges();
 
 /// The rows of an assertion in RoboTool's encoding of the only module. If a row is undecided, its error states the

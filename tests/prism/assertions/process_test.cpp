@@ -49,8 +49,8 @@ TEST(Process, ACoinThatIsThrownAtOnce) {
     EXPECT_EQ(decided(coin, property("Prob=? of [Finally deadlock]")), "1 to 1") << "nothing leaves A and B";
 }
 
-/// The platform need not press: the minimum belongs to a platform that never does. If all steps are equally likely, it
-/// finally presses.
+/// The platform may never press the button, which gives the minimum. If all steps are equally likely, the platform
+/// presses eventually.
 TEST(Process, AnInputNeedNotCome) {
     const std::string coin = thrower("trigger go", coin_ways);
     const std::string asked = property("Prob=? of [Finally S is in S::A]");
@@ -59,7 +59,8 @@ TEST(Process, AnInputNeedNotCome) {
     EXPECT_EQ(decided(coin, asked, Scheduler::uniform), "0.25");
 }
 
-/// p to A, q to B, otherwise again: p / (p + q).
+/// The junction leads to A with probability p, to B with probability q, and otherwise back. So A is reached with
+/// probability p / (p + q).
 TEST(Process, ALoopThatTriesAgain) {
     const std::string loop = thrower("",
                                      "transition a { from p to A probability 0.2 } "
@@ -69,8 +70,8 @@ TEST(Process, ALoopThatTriesAgain) {
     EXPECT_EQ(decided(loop, property("Prob=? of [Globally not S is in S::B]")), "0.4 to 0.4");
 }
 
-/// The first throw is immediate, then there is one in each time unit: done after n units with probability 1 -
-/// 0.5^(n+1), after 1 on average.
+/// The first throw is immediate, and one throw follows in each time unit. The machine is done after n units with
+/// probability 1 - 0.5^(n+1), and after one unit on average.
 TEST(Process, TimeIsCountedInTocks) {
     const std::string geometric = thrower("",
                                           "transition a { from p to A probability 0.5 } "
@@ -99,7 +100,8 @@ TEST(Process, TimeIsCountedInTocks) {
               "not decided: X is about one step, and steps are not counted in this model");
 }
 
-/// A coin in each time unit: a bound of 10^9 units misses nothing, and with probability 1/8 the event never occurs.
+/// A coin is thrown in each time unit. The event never occurs with probability 1/8, and a bound of 10^9 units changes
+/// no result.
 TEST(Process, LongTimesNeedNotBeCounted) {
     const auto decide = [](const std::string& of) {
         const auto loaded =
@@ -126,8 +128,8 @@ TEST(Process, LongTimesNeedNotBeCounted) {
         << "it is above 0.5 by less than an interval shows";
 }
 
-/// Two machines throw a coin at the same time. Whether the first is done and the second is not depends on the order:
-/// 0.5 if the first throws first, otherwise 0.5 * 0.5.
+/// Two machines throw a coin at the same time. The probability that the first is done and the second is not depends on
+/// the order: 0.5 if the first throws first, otherwise 0.5 * 0.5.
 TEST(Process, ARaceIsOpen) {
     const std::string race =
         "stm S { initial i state Ready { entry wait(1) } state A { } state B { } probabilistic p "
@@ -169,8 +171,9 @@ TEST(Process, ProbabilitiesInOperationsReadVariables) {
         "transition t2 { from Again to Heads condition k == 1 } transition t3 { from Again to Tails condition k == 0 } "
         "} "
         "controller C { opref toss = toss sref s = S }";
-    // The first throw: m = 1 = k, so A with 0.5 and k stays 1; B sets k = 0. Then m = 0: after A, m != k, so A with
-    // 0.2; after B, m == k, so A with 0.4, but k stays 0.
+    // The first throw has m = 1 = k: it leads to A with probability 0.5, and k stays 1; B sets k = 0. Then m = 0. After
+    // A, m differs from k, so the second throw leads to A with probability 0.2. After B, m equals k, so it leads to A
+    // with probability 0.4, but k stays 0.
     EXPECT_EQ(decided(model, property("Prob=? of [Finally C::s is in S::Heads]")), "0.1 to 0.1");
     EXPECT_EQ(decided(model, property("Prob=? of [Finally C::s is in S::Tails]")), "0.9 to 0.9");
 }
@@ -239,8 +242,8 @@ TEST(Process, OfAModule) {
     EXPECT_EQ(asked("Prob=? of [Finally World::mind::walker::steps > 1]"), "0 to 0");
 }
 
-/// The first throw is immediate, then there is one in each time unit. Each throw is announced: 1 / 0.5 throws until A
-/// on average, and the event contains the result of the last throw.
+/// The first throw is immediate, and one throw follows in each time unit. Each throw is announced. The machine needs 1
+/// / 0.5 throws until A on average, and the event contains the result of the last throw.
 const char* const announced = R"(
 	stm S {
 		event said : nat

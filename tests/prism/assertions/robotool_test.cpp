@@ -64,7 +64,7 @@ TEST(RoboToolChain, IsAskedForValuesAndTruths) {
               "Game::hand::thrower::p=0.5: 1");
     EXPECT_EQ(text(asked("prob property P: Prob>=0.9 of [Finally " + heads + "]" + half)),
               "Game::hand::thrower::p=0.5: true");
-    // Steps: to Ready, to the junction, to Heads_entering, to Heads.
+    // The chain has four steps: to Ready, to the junction, to Heads_entering, to Heads.
     EXPECT_EQ(text(asked("prob property P: Prob=? of [Finally <=3 " + heads + "]" + half)),
               "Game::hand::thrower::p=0.5: 0");
     EXPECT_EQ(text(asked("prob property P: Prob=? of [Finally <=4 " + heads + "]" + half)),
@@ -94,7 +94,7 @@ TEST(RoboToolChain, IsTriedForEveryValueOfASet) {
 }
 
 TEST(RoboToolChain, EarnsRewards) {
-    // Throws of a fair coin until heads: 1 / 0.5.
+    // A fair coin needs 1 / 0.5 throws until heads.
     EXPECT_EQ(text(asked("rewards throws = [Game::hand::thrower::throw.in] true : 1; endrewards\n"
                          "prob property P: Reward {throws} =? of [Reachable Game::hand::thrower is in Heads]" +
                          half)),
@@ -119,7 +119,7 @@ TEST(RoboToolChain, KnowsFormulasFunctionsAndModules) {
             "Game::hand::thrower is in Heads /\\ &quad(1) == 4]" +
             half + " with definitions D")),
         "Game::hand::thrower::p=0.5: 0.5");
-    // An observer that counts to 2 throws and refuses a third: heads at the first or second throw.
+    // The observer counts to 2 throws and refuses a third, so the coin shows heads at the first or second throw.
     EXPECT_EQ(text(asked("pmodules M: pmodule Count { n : [0 to 2] init 0; "
                          "[Game::table::throw.out] @n < 2 -> (@n = @n + 1); [] @n == 2 -> skip; }\n"
                          "prob property P: Prob=? of [Finally Game::hand::thrower is in Heads /\\ @M::Count::n <= 2]" +
@@ -239,7 +239,7 @@ TEST(RoboToolChain, AsAnMdpHasALeastAndAGreatestValue) {
               "0.5");
 }
 
-/// Counts to a limit without a value in the model, and to one beyond it.
+/// The machine counts to a limit without a value in the model, and to one beyond the limit.
 const char* const counter = R"(package counter
 	robotic platform Nothing { }
 	stm Count {
@@ -309,8 +309,8 @@ const char* const race = R"(package race
 	module Race { rref table = Table cref hands = Hands connection table on go to hands on go ( _async ) }
 )";
 
-/// Some scheduler of the same text as an mdp makes the uniform choice of the chain: the value of the chain is between
-/// the minimum and the maximum.
+/// If the model is read as an mdp, some scheduler makes the uniform choice of the chain. So the value of the chain is
+/// between the minimum and the maximum.
 TEST(RoboToolChain, LiesBetweenTheSchedulersOfItsText) {
     const std::string heads = "Race::hands::left is in Thrower::Heads";
     const std::string first = "Finally " + heads + " /\\ not Race::hands::right is in Thrower::Heads";

@@ -116,7 +116,7 @@ TEST(Abstraction, StatesAnswerOrItIsSaid) {
 
 // ---------------------------------------------------------------- states and transitions
 
-/// Three robots in A, in B or in neither: ten states, and the initial state.
+/// Three robots are in A, in B or in neither: this gives ten states, and the initial state.
 TEST(ChainStates, AreTheNumbersOfRobots) {
     const ReadChain read(std::string("abstract by a, b every 1 s estimate average a with confidence 95 %"));
     ASSERT_EQ(read.findings, "");
@@ -149,8 +149,8 @@ TEST(ChainStates, TooManyAreRefused) {
     EXPECT_THROW(ChainStates(many.scenario, std::nullopt), TooManyStates);
 }
 
-/// Robots start in neither state, go to A, then to B, and stay there. Compared with all assignments of states to three
-/// robots.
+/// Robots start in neither state, go to A, then to B, and stay there. The result is compared with all assignments of
+/// states to three robots.
 TEST(ChainStates, TransitionsAreThoseOfRobots) {
     const ReadChain read("abstract by a, b every 1 s estimate average a with confidence 95 %");
     ASSERT_EQ(read.findings, "");
@@ -284,8 +284,8 @@ TEST(ChainAnswer, WhatIsLockedIsRefuted) {
     }
 }
 
-/// The robot leaves after two seconds near the lamp. The state does not contain how long it has been there. Fresh
-/// trials of the share may agree with the chain, but the test of its order fails.
+/// The robot leaves after two seconds near the lamp. The chain's state does not contain how long the robot has been
+/// there. Fresh trials of the share may agree with the chain, but the test of its order fails.
 TEST(ChainOrder, WhatLastsForAFixedTimeIsRefuted) {
     const ReadChain read("abstract by near every 1 s estimate average near with confidence 95 %", "1");
     const ChainStates states(read.scenario, std::nullopt);
@@ -339,7 +339,7 @@ TEST(ChainOrder, HasTheGreatestConfidenceOfTheQuestions) {
     diagnostics::Diagnostics found;
     const auto asked = chain_asked(read.scenario, states, found);
     ASSERT_EQ(asked.size(), 2U);
-    // The state is always kept after a change, and never after it was kept.
+    // The state stays for one step after each change, and changes after each step without a change.
     const statistics::StateSequence twos{1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2};
     const std::vector<statistics::StateSequence> all(40, twos);
     const auto finding = order_finding(asked, statistics::all_permitted(states.size()), all);

@@ -196,7 +196,7 @@ TEST(ClaimsOfTrials, ATrialThatStopsCountsAgainstThem) {
     const RunResult result = run(experiment, 2, false);
     EXPECT_FALSE(result.stops_are_errors);
     EXPECT_TRUE(experiment.diagnostics.ok());
-    // An answer that is known at the start counts; a later one does not occur.
+    // The answer is known at the start, so it counts. A later answer cannot occur.
     EXPECT_EQ(result.claims[1].verdict, ClaimVerdict::fails);
     EXPECT_EQ(result.claims[1].trials(), 16U);
     EXPECT_EQ(result.claims[1].stopped() + result.claims[1].successes, 16U);

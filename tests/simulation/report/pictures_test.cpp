@@ -142,7 +142,8 @@ TEST(Series, OverTheTrialsThatHadNotEnded) {
     scenario.robots = 3;
     scenario.measures.push_back({{"c", {}}, MeasureKind::cluster, 10, 0, {}, {}});
     scenario.bands.push_back({{StatisticKind::at_time, 0, 1, {}}, true, 0.5, 1, "each", {}});
-    // Of three robots in a row, two pairs are one gap apart and one pair two gaps: 4/3 of a gap on average.
+    // Three robots in a row form two pairs that are one gap apart and one pair that is two gaps apart: 4/3 of a gap on
+    // average.
     const Charts charts = charts_of(scenario, {rows({30, 10, 3}), rows({60, 30})}, machines());
     EXPECT_THAT(charts.times, ElementsAre(0, 1, 2));
     ASSERT_EQ(charts.charts.size(), 4U);

@@ -117,7 +117,7 @@ TEST(Kinds, WithoutTheOthersTheFirstDoesTheSame) {
             EXPECT_EQ(a.trials[0].frames[f].poses[robot].at, b.trials[0].frames[f].poses[robot].at);
 }
 
-/// Wheels, axle and noise are those of the first kind unless the kind states its own; a fifth of the speed gives a
+/// Wheels, axle and noise are those of the first kind unless the kind states its own. A fifth of the speed gives a
 /// fifth of the distance.
 TEST(Kinds, DriveByWheelsOfTheirOwn) {
     const auto at_end = [](const std::string& own) {
@@ -239,7 +239,7 @@ const Frame& frame_near(const RunResult& result, double time) {
 TEST(WorldMachine, MovesLightsShowsObstaclesAndRaisesEvents) {
     Experiment experiment(runner, watched, "model.rct", {keeper});
     const RunResult result = experiment.run();
-    // Read in the cycle at 1 s; the action takes effect in the next cycle.
+    // The environment reads the time in the cycle at 1 s, and the action takes effect in the next cycle.
     EXPECT_EQ(frame_near(result, 1).lights.at(0).at, (Vector{0, 0}));
     EXPECT_FALSE(frame_near(result, 1).obstacles.at(0));
     EXPECT_TRUE(frame_near(result, 1.1).obstacles.at(0));

@@ -56,8 +56,9 @@ scenario World for Roam {
 }
 )";
 
-/// The first robot drives from 0 to where the wall is 10 cm ahead of its front: 50 - 10 - 3.7 = 36.3 cm, seen in the
-/// cycle after 3.7 s. Then it requests the angle, turns towards the other robot (to its left), and drives on.
+/// The first robot drives from 0 to the point at which the wall is 10 cm ahead of its front: 50 - 10 - 3.7 = 36.3 cm,
+/// seen in the cycle after 3.7 s. Then the robot requests the angle, turns towards the other robot (to its left), and
+/// drives on.
 TEST(Trial, DrivesAsksTurnsAndDrivesOn) {
     Experiment experiment(model, scenario);
     ASSERT_EQ(experiment.codes(), "") << experiment.messages();
@@ -387,7 +388,8 @@ scenario World for Grows {
         return result.trials.empty() || !result.trials[0].stop ? -1 : result.trials[0].stop->time;
     };
     const std::string speeds = "drive motors by speeds(linear in cm/s, angular in rad/s)";
-    // 10^512 is not finite. It is reached after nine squarings, in the cycles at 0.0 s to 0.8 s or from 0.1 s to 0.9 s.
+    // The result 10^512 is not finite. The robot computes it after nine squarings, in the cycles at 0.0 s to 0.8 s or
+    // from 0.1 s to 0.9 s.
     EXPECT_NEAR(stopped("linear = x", speeds), 0.85, 0.06);
     EXPECT_NEAR(stopped("linear = x - x", speeds), 0.85, 0.06) << "0 at first";
     EXPECT_NEAR(stopped("turn(x - x)", "drive motors by turn(12 cm/s, rad) on turn"), 0.85, 0.06);

@@ -94,8 +94,8 @@ TEST(SleecProperties, HistoriesAreEndless) {
         << "LEGOS: at once";
 }
 
-/// An occurrence fulfils or ends a duty and opens an equal one: at every instant some instance is open, but none stays
-/// open forever.
+/// An occurrence fulfils or ends a duty and opens an equal one. At every instant some instance of the duty is open, but
+/// no instance stays open forever.
 TEST(SleecProperties, ADutyMayBeOpenedAnewWhereItIsFulfilled) {
     EXPECT_EQ(ask("A when Go then Go", "exists Go").answer, Answer::yes) << "Go every second";
     EXPECT_EQ(

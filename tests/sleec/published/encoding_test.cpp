@@ -131,8 +131,8 @@ std::string verdicts(cspm::Session& session, std::size_t pair) {
     return text;
 }
 
-/// The pairs of a file whose verdicts differ, or that one of the tables lacks. (Two files with the same name have rules
-/// with different names.)
+/// Returns the pairs of a file whose verdicts differ, or that are missing in one of the tables. (Two files with the
+/// same name have rules with different names.)
 std::string differences(const fs::path& path, std::map<std::pair<std::string, std::string>, std::string> expected) {
     const CheckedRules rules = rules_of(path);
     std::set<std::string> known;

@@ -82,7 +82,8 @@ std::optional<Parts> asked(const NaiveResponse& response, unsigned values) {
 
 using State = std::set<Duty>;
 
-/// Every remaining part is a forbidden event that has to occur now at the latest, or that is forbidden forever.
+/// True if every remaining part requires an event that is forbidden and must occur now at the latest, or that is
+/// forbidden forever.
 bool is_dead(const Duty& due, const State& open) {
     bool any = false;
     for (std::size_t i = 0; i < due.parts.size(); ++i) {

@@ -61,8 +61,8 @@ enum class NaiveAnswer {
     /// Some history satisfies all these rules so far and reaches an instant at which a duty must be fulfilled, but
     /// duties of these rules forbid every event that could fulfil it.
     forbidden,
-    /// Not forbidden, but some history reaches an instant from which no history that satisfies the rules reaches the
-    /// next second.
+    /// No duty is forbidden, but some history reaches an instant from which no history that satisfies the rules reaches
+    /// the next second.
     endless,
 };
 /// Whether all these rules can be satisfied. nullopt: too many states.
