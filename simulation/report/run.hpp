@@ -58,8 +58,8 @@ struct RunResult {
     [[nodiscard]] bool stopped() const;
     /// True if a band or a claim fails, or a controller stopped.
     [[nodiscard]] bool fails() const;
-    /// True if all trials are complete and observed, and all bands and claims hold. If neither holds() nor fails(), a
-    /// claim is open, or not everything was observed.
+    /// True if all trials are complete and observed, and all bands and claims hold. If the result neither holds nor
+    /// fails, a claim is open, or not everything was observed.
     [[nodiscard]] bool holds() const;
 };
 

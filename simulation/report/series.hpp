@@ -64,7 +64,7 @@ struct Charts {
 [[nodiscard]] Charts charts_of(const Scenario&, const std::vector<TrialResult>&, const Machines&,
                                std::size_t most_times = 240);
 
-/// The smallest `every` for which `thinned` keeps at most `most` (at least two) times.
+/// Returns the smallest `every` with which the next function keeps at most `most` (at least two) times.
 [[nodiscard]] std::size_t thinning(std::size_t count, std::size_t most);
 /// The indices of the recorded times that are kept: one in `every`, and the last.
 [[nodiscard]] std::vector<std::size_t> thinned(std::size_t count, std::size_t every);

@@ -45,8 +45,8 @@ struct ProximityRing {
     double range = 10;  ///< cm from the body
 };
 
-/// Senses the world at the beginning of a control cycle. The sensors use an index of the robots, so `update` must be
-/// called before the readings of a cycle.
+/// Senses the world at the beginning of a control cycle. The sensors use an index of the robots, so the positions must
+/// be updated before the readings of a cycle.
 class Sensing {
 public:
     explicit Sensing(World& world) : world_(world) {}

@@ -169,7 +169,7 @@ std::size_t Watch::obligation(const Obligation& obligation) {
     return obligations_.size() - 1;
 }
 
-/// All combinations of classes, in the order in which `started` tests them.
+/// Lists all combinations of classes, in the order in which the script tests them.
 void Watch::find_ways() {
     std::vector<std::size_t> at(followed_.size(), 0);
     for (;;) {

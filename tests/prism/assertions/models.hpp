@@ -44,8 +44,8 @@ struct Claim {
 [[nodiscard]] std::vector<Row> robotool(const Loaded&, const std::string& assertion,
                                         const RoboToolOptions& options = small_ranges(), const Deciding& how = {});
 
-/// The rows of an assertion on the decision process of the `whole`. `compared`: the number of states that were compared
-/// with the process that is checked for refinement.
+/// Returns the rows of an assertion on the decision process of the whole component. `compared` is the number of states
+/// that were compared with the process that is checked for refinement.
 [[nodiscard]] std::vector<Row> process(Loaded&, const std::string& assertion, Scheduler scheduler = Scheduler::any,
                                        std::uint64_t* compared = nullptr, std::uint64_t most_states = 100'000,
                                        bool exact = true);
