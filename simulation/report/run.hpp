@@ -35,7 +35,7 @@ struct RunOptions {
     std::function<void(const RunProgress&)> progress;  ///< called a few times per second, in the caller's thread
 };
 
-/// Whether the trials are in one band.
+/// The result of one band: whether the trials are in it.
 struct BandResult {
     bool holds = false;
     double value = 0;                ///< `mean`: the mean; `each`: the worst trial; NaN: a time that was never reached

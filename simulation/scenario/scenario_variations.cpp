@@ -59,7 +59,7 @@ void ScenarioReader::vary() {
         scenario_.variations.push_back(std::move(variation));
 }
 
-/// `pace` of the scenario's own component, `leaders.pace`, `environment.pace`.
+/// Reads the name of a constant: `pace` of the scenario's own component, `leaders.pace`, `environment.pace`.
 std::string ScenarioReader::constant_named() {
     const Name first = in_.qualified_name("a constant of the model");
     if (!in_.take(".")) return first.text;

@@ -39,7 +39,7 @@ void set_option(Scenario& scenario, const Variation& variation, double value) {
             for (double* const share : shares_of(sensor, variation.option)) *share = value;
 }
 
-/// True if its values are fractions, which are written as percentages.
+/// True if the values of the variation are fractions, which are written as percentages.
 bool is_share(const Variation& variation) {
     return variation.what == Varied::noise || variation.what == Varied::sensor;
 }

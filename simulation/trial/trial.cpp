@@ -60,7 +60,7 @@ const char* cause_of(rc_drive_result result) {
 
 constexpr const char* no_finite_number = "it commanded a movement by a number that is not finite";
 
-/// A light that a trial moves and switches: its position and the time since when it is valid.
+/// A light that a trial moves and switches: its position, and the time from which the position is valid.
 struct MovingLight {
     Light light;
     double since = 0;  ///< the time of this position, in s

@@ -80,7 +80,7 @@ std::optional<Parameter> read_range(Parameter parameter, std::string_view low_te
     return error.empty() ? std::optional(std::move(parameter)) : std::nullopt;
 }
 
-/// A truncated distribution, by rejection: at least half of the distribution is accepted.
+/// Draws from a truncated distribution by rejection. At least half of the distribution is accepted.
 std::uint64_t drawn_around(const Parameter& parameter, std::uint64_t middle, double deviation, Random& random) {
     const auto most = static_cast<double>(parameter.count) - 0.5;
     for (int tries = 0; tries < 1000; ++tries) {

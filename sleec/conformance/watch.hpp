@@ -27,7 +27,7 @@ struct Linking {
     std::vector<std::optional<LinkedMeasure>> measures;
 };
 
-/// One case of the rule: the values of its measures, by class, and the obligation.
+/// One case of the rule: the values of its measures, by class, and the obligation in this case.
 struct Asked {
     Valuation values;
     std::size_t obligation = 0;

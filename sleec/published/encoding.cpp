@@ -103,7 +103,7 @@ bool Encoding::on_scale(const Condition& condition) const {
     return condition.op == Op::name && rules_.measure(condition.measure).type == MeasureType::scale;
 }
 
-/// Values of a scale are indices. `>=` with a measure on a scale is `>` (a fault of SLEEC-TK).
+/// Values of a scale are indices. SLEEC-TK reads `>=` with a measure on a scale as `>`, which is a fault.
 Tree Encoding::value(const Condition& condition) const {
     switch (condition.op) {
         case Op::truth:

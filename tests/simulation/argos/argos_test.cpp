@@ -176,7 +176,7 @@ TEST(Argos, DrivesWithTheScenariosWheels) {
     in_own_process([] {
         Staged staged(replaced(three_robots(), "axle 5.3 cm", "axle 5.1 cm"));
         if (staged.stage == nullptr) return false;
-        // Ten seconds forward at 6 cm/s; half a turn per second on the spot.
+        // One robot drives forward for ten seconds at 6 cm/s; another makes half a turn per second on the spot.
         staged.stage->set_wheels(2, {6, 6});
         staged.stage->set_wheels(1, wheels_for(0, std::numbers::pi / 10, 5.1));
         for (int step = 0; step < 100; ++step) staged.stage->advance();

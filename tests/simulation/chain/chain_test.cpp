@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chains of swarms: states and transitions counted by hand and robot by robot, claims that states do not determine,
-// bounds for swarms that are Markov chains, and the refutation of swarms that are not.
+// Chains of swarms: states and transitions are counted by hand and robot by robot. The tests also cover claims that
+// states do not determine, bounds for swarms that are Markov chains, and the refutation of swarms that are not.
 #include "simulation/chain/chain.hpp"
 
 #include <gmock/gmock.h>

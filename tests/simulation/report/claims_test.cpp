@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims decided on given answers, with the number of trials that the interval or the test needs; and on simulated
+// Claims are decided on given answers, with the number of trials that the interval or the test needs, and on simulated
 // trials, with any number of threads.
 #include "simulation/report/claims.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The contents of pictures, plots and tables of trials, and the values that they show, by hand.
+// Compares the contents of pictures, plots and tables of trials with values computed by hand.
 #include "simulation/report/pictures.hpp"
 
 #include <fmt/format.h>

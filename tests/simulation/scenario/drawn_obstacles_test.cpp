@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Obstacles from drawings: their corners by hand, and drawings that are rejected because a part would be ignored.
+// Obstacles from drawings: the corners are compared with corners computed by hand, and drawings are rejected if a part
+// of them would be ignored.
 #include "simulation/scenario/drawn_obstacles.hpp"
 
 #include <gmock/gmock.h>

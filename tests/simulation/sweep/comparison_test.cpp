@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Estimates after a fixed number of trials, and comparisons of sweeps with tables; counts and p-values by hand.
+// Estimates after a fixed number of trials, and comparisons of sweeps with tables. Counts and p-values are computed by
+// hand.
 #include "simulation/sweep/comparison.hpp"
 
 #include <gmock/gmock.h>
@@ -91,7 +92,7 @@ TEST(Comparison, TestsEachPointAndAllTogether) {
     ASSERT_TRUE(table) << error;
     const auto all = compare(read.scenario, sweep(read.scenario, {10, 0, 4}), *table);
     ASSERT_EQ(all.size(), 3U) << "9 robots are not here";
-    // All of ten compared with none of ten: 2 of (20 choose 10) divisions; three tests.
+    // Ten of ten is compared with none of ten. The p-value is 2 of (20 choose 10) divisions, and there are three tests.
     EXPECT_NEAR(all[0].chance, 2.0 / 184'756, 1e-12);
     EXPECT_NEAR(all[0].adjusted, 6.0 / 184'756, 1e-12);
     EXPECT_TRUE(rejected(read.scenario, all[0]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points of a sweep, the sets that follow from their verdicts, and tables; verdicts by hand.
+// Points of a sweep, the sets that follow from their verdicts, and tables. The verdicts are given by hand.
 #include "simulation/sweep/sweep.hpp"
 
 #include <gmock/gmock.h>
@@ -185,7 +185,7 @@ TEST(Sweep, TablesAndSets) {
     EXPECT_THAT(text, HasSubstr("  3         proved         16         8  25 % to 75 %           8.0 s (1 stopped)\n"));
     EXPECT_THAT(text, HasSubstr("  proved     3\n  refuted    1 to 2\n  open       4\n"));
     EXPECT_THAT(least_lines(read.scenario, result), ElementsAre("least robots: 3"));
-    // 1234 control steps of 1 + 2 + 3 + 4 robots; 16 trials of 100 steps.
+    // Each point needs 1234 control steps, with 1, 2, 3 and 4 robots. Full trials would need 16 trials of 100 steps.
     EXPECT_EQ(result.robot_steps(read.scenario), 12'340U);
     EXPECT_EQ(result.whole_robot_steps(read.scenario), 16'000U);
     EXPECT_THAT(sweep_csv(read.scenario, result), HasSubstr(",proved,16,8,0.25,0.75,"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Formulas on handwritten runs, and random formulas compared with the definitions of the operators on the whole run.
+// Formulas are evaluated on handwritten runs. Random formulas are compared with the definitions of the operators on the
+// whole run.
 #include "simulation/trial/formulas.hpp"
 
 #include <gtest/gtest.h>

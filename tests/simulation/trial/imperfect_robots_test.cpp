@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sensors with errors, robots that fail, signals received from neighbours, and moving lights: measured rates compared
-// with the specified ones.
+// Sensors with errors, robots that fail, messages received from neighbours, and moving lights: the tests compare
+// measured rates with the specified ones.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ using testing::Experiment;
 using ::testing::HasSubstr;
 using testing::replaced;
 
-/// Stands until it sees a robot; states record a count and a message.
+/// The robot stands until it sees another one; states record a count and a message.
 constexpr const char* looking = R"(
 interface Ops { forward() }
 interface Said { var saying : nat = 0 }

@@ -14,7 +14,7 @@ using testing::Experiment;
 using ::testing::HasSubstr;
 using testing::replaced;
 
-/// Drives forward from the start.
+/// The robot drives forward from the start.
 constexpr const char* runner = R"(
 interface Legs { run() }
 interface Ears { event shout }
@@ -29,7 +29,7 @@ stm Runner {
 }
 )";
 
-/// Drives back for the number of time units in its constant; sends its number.
+/// The robot drives back for the number of time units in its constant, and sends its number.
 constexpr const char* backer = R"(
 interface Wheels { back() halt() }
 interface Says { var word : nat = 0 }
@@ -84,7 +84,7 @@ TEST(Kinds, EachHasItsModelItsPlacesAndItsPlatform) {
     // The signal comes in the cycle at 0.5 s, so from 0.5 s on the robot drives for 1.5 s at 10 cm/s.
     EXPECT_NEAR(last.poses[0].at.x, 15, 1e-9);
     EXPECT_NEAR(last.poses[1].at.x, 15, 1e-9);
-    // Three time units of 0.1 s backwards.
+    // The robot drives three time units of 0.1 s backwards.
     EXPECT_NEAR(last.poses[2].at.x, -3, 1e-9);
     const Machines machines = machines_of(experiment.scenario, experiment.drives());
     ASSERT_EQ(machines.size(), 1U);
@@ -183,7 +183,7 @@ TEST(Kinds, WhatDoesNotFitIsReported) {
     EXPECT_EQ(codes(replaced(mixed, "robots 1 backers", "robots 1 runners")), "RC-M05 RC-M06 RC-M06");
 }
 
-/// Counts to its constant, then performs two actions.
+/// The machine counts to its constant, then performs two actions.
 constexpr const char* keeper = R"(
 interface Acts { act(x : real, y : real) stop() }
 interface Watch { event late event seen : boolean event share : real }

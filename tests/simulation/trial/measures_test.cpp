@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures by hand, and bands over trials.
+// Compares measures with values computed by hand, and bands over several trials.
 #include "simulation/trial/measures.hpp"
 
 #include <gmock/gmock.h>

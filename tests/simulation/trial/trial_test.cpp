@@ -16,7 +16,7 @@ using testing::Experiment;
 using ::testing::HasSubstr;
 using testing::replaced;
 
-/// Drives ahead until it is notified, then turns by a measured angle, then drives ahead.
+/// The robot drives ahead until it is notified, then turns by a measured angle, then drives ahead.
 constexpr const char* model = R"(
 interface Ops { forward() turn(angle : real) ask() }
 interface Vars { var seen : real = 0.3 }

@@ -37,7 +37,7 @@ public:
             EXPECT_TRUE(run_.insert(trial).second) << "run once";
             EXPECT_TRUE(is_usable(candidates_[trial.candidate]));
             if (run_.size() > most_) throw std::runtime_error("ended");
-            // Noise of the seed, common to all candidates, and a smaller individual noise.
+            // The noise of the seed is common to all candidates; a smaller noise is individual.
             result.push_back(cost(candidates_[trial.candidate]) + 10 * noise(trial.seed, 0) +
                              noise(trial.seed, trial.candidate + 1));
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays, disks and walls by hand.
+// Compares rays, disks and walls with results computed by hand.
 #include "simulation/world/geometry.hpp"
 
 #include <gtest/gtest.h>

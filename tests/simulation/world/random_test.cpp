@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The generator is the published one, and its numbers have the stated moments.
+// The generator is the published one, and its numbers have the expected mean and deviation.
 #include "simulation/world/random.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sensors by hand, and the grid compared with a test of every robot.
+// Compares sensors with readings computed by hand, and the grid with a test of every robot.
 #include "simulation/world/sensing.hpp"
 
 #include <gtest/gtest.h>
@@ -155,7 +155,7 @@ TEST(SensingProperty, GridAndBruteForceAgree) {
     }
 }
 
-/// A ray and a robot, compared with samples of points along the ray.
+/// Compares the distance from a ray to a robot with samples of points along the ray.
 TEST(SensingProperty, RayAgreesWithWalkingAlongIt) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         World world(crowded(40), seed);

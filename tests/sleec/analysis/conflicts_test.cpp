@@ -44,13 +44,14 @@ TEST(SleecConflicts, WindowsMeetOrNot) {
     EXPECT_EQ(conflicts("A when Go then Stop\nB when Halt then not Stop"), "A-B") << "never again";
 }
 
-/// Fault 1: >= of a scale.
+/// The correct verdicts for fault 1 of SLEEC-TK, `>=` on a scale.
 TEST(SleecConflicts, OfScales) {
     const std::string stop = "A1 when Go and load >= mid then Stop within 2 seconds\n";
     EXPECT_EQ(conflicts(stop + "A2 when Go and load = mid then not Stop within 5 seconds"), "A1-A2");
 }
 
-/// Fault 2: a defeater inside a defeater. A single Go causes no conflict, but near and safe may change between two.
+/// The correct verdicts for fault 2 of SLEEC-TK, a defeater inside a defeater. A single Go causes no conflict, but near
+/// and safe may change between two.
 TEST(SleecConflicts, OfNestedDefeaters) {
     const std::string help =
         "B1 when Go then Alarm within 2 seconds unless near then {Help within 3 seconds unless safe}\n";
@@ -66,21 +67,21 @@ TEST(SleecConflicts, OfNestedDefeaters) {
         << "Help is never asked for";
 }
 
-/// Fault 3: measures change between triggers.
+/// The correct verdict for fault 3 of SLEEC-TK: measures change between triggers.
 TEST(SleecConflicts, OfMeasuresThatChange) {
     EXPECT_EQ(conflicts("C1 when Go and near then Stop within 10 seconds\n"
                         "C2 when Halt and not near then not Stop within 60 seconds"),
               "C1-C2");
 }
 
-/// Fault 4: an active rule does not refuse its trigger.
+/// The correct verdict for fault 4 of SLEEC-TK: an active rule does not refuse its trigger.
 TEST(SleecConflicts, NotOfTriggers) {
     EXPECT_EQ(conflicts("D1 when Go then Halt within 3 seconds\n"
                         "C2 when Halt and not near then not Stop within 60 seconds"),
               "");
 }
 
-/// Fault 5: scales that share a value.
+/// The correct verdicts for fault 5 of SLEEC-TK, scales that share a value.
 TEST(SleecConflicts, OfScalesThatShareAValue) {
     Read read(
         "def_start event Go event Stop measure a : scale(low, moderate) measure b : scale(moderate, high) def_end\n"
@@ -90,7 +91,7 @@ TEST(SleecConflicts, OfScalesThatShareAValue) {
     EXPECT_EQ(find_conflict(*read.checked, {0, 1}, {}).conflict, Answer::yes);
 }
 
-/// Fault 6: a conflict of three rules, no two of which are in conflict.
+/// The correct verdicts for fault 6 of SLEEC-TK, a conflict of three rules no two of which are in conflict.
 TEST(SleecConflicts, OfThree) {
     const std::string alarm = "R1 when Go then Alarm within 5 seconds otherwise Help within 0 seconds\n";
     const std::string no_alarm = "R2 when Halt then not Alarm within 9 seconds\n";
@@ -100,7 +101,8 @@ TEST(SleecConflicts, OfThree) {
     EXPECT_EQ(conflicts(alarm + no_alarm + no_help), "R1-R2-R3");
 }
 
-/// Fault 7: the state space does not grow with measures that the rules do not distinguish.
+/// The correct behaviour for fault 7 of SLEEC-TK: the state space does not grow with measures that the rules do not
+/// distinguish.
 TEST(SleecConflicts, AreFewStatesWithManyMeasures) {
     std::string text = "def_start event Go event Stop ";
     std::string all = "m0";

@@ -130,7 +130,7 @@ public:
         functions_.start(state_.data());
     }
 
-    /// Whether a rule was violated; a difference between the monitors fails the test.
+    /// Returns true if a rule was violated. A difference between the monitors fails the test.
     bool step(std::uint32_t event, const std::vector<std::int64_t>& values) {
         Found generated, expected;
         functions_.step(state_.data(), event, values.data(), note, &generated);

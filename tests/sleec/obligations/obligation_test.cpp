@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The obligations of rules: docs/rules-language.md, "What rules mean", row by row; and the arithmetic of windows,
-// compared with an evaluation of the definition on every history.
+// Compares the obligations of rules with docs/rules-language.md, "What rules mean", row by row, and the arithmetic of
+// windows with an evaluation of the definition on every history.
 #include <gtest/gtest.h>
 
 #include "base/diagnostics/splitmix64.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// SLEEC-TK's semantics: the process of every rule equals the published one, and so do all verdicts about pairs.
+// SLEEC-TK's semantics: the process of every rule equals the published process, and all verdicts about pairs equal the
+// published verdicts.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
