@@ -353,7 +353,7 @@ struct Session::Impl {
         }
     }
 
-    /// Making the script ready once more must be little beside what has been done with it.
+    /// Loading the script again must be cheap compared with the work done so far.
     [[nodiscard]] std::size_t most_terms(bool direct) const {
         constexpr std::size_t few = 5'000, many = 1'000'000;
         if (packing.from_terms) return *packing.from_terms;
@@ -365,7 +365,7 @@ struct Session::Impl {
             if (SessionSystem* const terms = terms_side(*side)) terms->count(terms_made, most);
     }
 
-    /// Each process that stays a term as packed states; its terms become the reference.
+    /// Replaces each process that stays a term by packed states. The terms become the reference for replays.
     void pack_sides(Sides& both, const Decl& assertion, const refine::Limits& limits) {
         const Assertion& asked = assertion.assertion;
         // The numbers of events must not depend on what a search meets first, which another run may not search again.
@@ -389,8 +389,8 @@ struct Session::Impl {
         if (all_events) processes->fix_parts();
     }
 
-    /// Questions that are about the same processes find what was evaluated for them. The rows of a search by levels are
-    /// the same in every run, whatever else was asked.
+    /// Assertions about the same processes share evaluated data. A search by levels gets separate packed processes, so
+    /// that its rows are the same in every run.
     std::shared_ptr<PackedProcesses> processes_for(const refine::Limits& limits) {
         PackedProcesses::Settings settings;
         settings.whole_states = whole_states;
@@ -416,7 +416,7 @@ struct Session::Impl {
         }
     }
 
-    /// None where they cannot be listed, or are very many.
+    /// No value if the events cannot be listed, or if there are very many.
     std::optional<process::EventSet> events_of_script() {
         constexpr std::uint64_t most = 200'000;
         try {
@@ -454,7 +454,7 @@ struct Session::Impl {
 
     Script script;
     bool whole_states;
-    bool observed = false;  ///< each call is to be reported once, so nothing is evaluated again
+    bool observed = false;  ///< each call is reported only once, so nothing may be evaluated again
     Packing packing;
     std::size_t terms_made = 0;                         ///< by searches
     std::shared_ptr<PackedProcesses> packed_processes;  ///< null until a process is packed

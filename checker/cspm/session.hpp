@@ -31,12 +31,12 @@ struct AssertionResult {
 
 /// When processes that stay terms are searched as packed states (docs/search.md). Answers do not depend on it.
 struct Packing {
-    /// From so many terms on that searches have made. None: 5,000, or more for long scripts, if steps are found without
-    /// terms (packed/direct_steps.hpp), and else 1,000,000.
+    /// The number of terms after which a search switches to packed states. No value: 5,000, or more for long scripts,
+    /// if steps can be computed without terms (packed/direct_steps.hpp); otherwise 1,000,000.
     std::optional<std::size_t> from_terms;
     std::optional<std::size_t>
-        most_kept;             ///< values and terms that may be kept; 0: those of one state; none: by the memory
-    bool terms_alone = false;  ///< no steps are found without terms
+        most_kept;             ///< maximal number of stored values and terms; 0: those of one state; none: by memory
+    bool terms_alone = false;  ///< all steps are computed with terms
 };
 
 /// One loaded script with its events, terms and definitions. Not thread-safe.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as bytes: seven bits a byte, the lowest first, the last byte without its highest bit.
+// Encodes numbers as bytes: seven bits in each byte, the lowest bits first. The highest bit of a byte is set if another
+// byte follows.
 #pragma once
 
 #include <cstddef>
@@ -19,13 +20,13 @@ inline void put_number(std::uint64_t number, Bytes& out) {
     out.push_back(static_cast<std::uint8_t>(number));
 }
 
-/// Small numbers of either sign are short.
+/// Encodes small negative numbers as briefly as small positive ones.
 inline void put_signed(std::int64_t number, Bytes& out) {
     const auto bits = static_cast<std::uint64_t>(number);
     put_number((bits << 1U) ^ (number < 0 ? ~std::uint64_t{0} : 0), out);
 }
 
-/// Reads what was written; bytes after it may follow.
+/// Reads numbers and bytes from a buffer that may contain further bytes after them.
 class ByteReader {
 public:
     explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}

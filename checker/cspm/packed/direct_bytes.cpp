@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bytes of process expressions: what TermCodec writes of the term that eval/processes.cpp makes.
+// Writes the bytes of process expressions. They are the bytes that TermCodec writes for the terms of
+// eval/processes.cpp.
 #include <algorithm>
 
 #include "checker/cspm/packed/direct_steps.hpp"
@@ -40,7 +41,7 @@ void DirectSteps::write(const Code& code, Frame& frame) {
     }
 }
 
-/// By way of the term.
+/// Builds the term of the expression and encodes it.
 void DirectSteps::write_made(const Code& code, Frame& frame) {
     codec_.write(tables_.process_evaluator.process(code, frame), out_->bytes);
 }

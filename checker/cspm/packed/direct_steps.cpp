@@ -12,10 +12,10 @@ using process::TermId;
 
 namespace {
 
-/// Thrown where the rules of terms have to decide.
+/// Thrown if the steps must be computed with terms.
 struct NotDirect {};
 
-/// The operands of a chain P op Q op R, left to right.
+/// Returns the operands of a chain P op Q op R from left to right.
 std::vector<const Code*> chain(const Code& code) {
     std::vector<const Code*> operands;
     const Code* left = &code;
@@ -31,7 +31,7 @@ std::size_t place_of(Value value) {
 
 }  // namespace
 
-// As in firing_rules.cpp: put_in_order.
+// Sorts like the function of the same name in firing_rules.cpp.
 void PackedSteps::put_in_order(std::size_t first) {
     const auto begin = steps.begin() + static_cast<std::ptrdiff_t>(first);
     const auto earlier = [](const Step& a, const Step& b) { return a.event < b.event; };
@@ -48,7 +48,7 @@ void PackedSteps::put_in_order(std::size_t first) {
     steps.resize(kept);
 }
 
-/// A frame, or other list of values, for as long as this lives.
+/// Lends a frame or another list of values from a pool during the lifetime of this object.
 class DirectSteps::Borrowed {
 public:
     explicit Borrowed(DirectSteps& owner) : owner_(owner) {
@@ -65,7 +65,8 @@ private:
     DirectSteps& owner_;
 };
 
-/// Definitions that lead to each other without an event are left to the rules of terms, which know an endless row.
+/// Limits the depth of calls that are unfolded without an event. Deeper calls are evaluated with terms, where unbounded
+/// recursion is detected.
 class DirectSteps::Nested {
 public:
     explicit Nested(DirectSteps& owner) : owner_(owner) {
@@ -101,7 +102,7 @@ bool DirectSteps::find(std::span<const std::uint8_t> bytes, PackedSteps& out) {
         unanswered_ = 0;
         return true;
     } catch (const NotDirect&) {
-    } catch (const EvaluationError&) {  // found again by the rules of terms, which say where
+    } catch (const EvaluationError&) {  // the evaluation with terms finds the error again and reports its place
     }
     return false;
 }
@@ -213,13 +214,13 @@ void DirectSteps::row_rename(ByteReader& in) {
 
 // ---------------------------------------------------------------- operators (firing_rules.cpp)
 
-/// A choice keeps its operands where one of them does a tau.
+/// A tau of an operand does not resolve a choice. Such steps are computed with terms.
 void DirectSteps::refuse_taus(std::size_t first) const {
     for (std::size_t i = first; i < out_->steps.size(); ++i)
         if (out_->steps[i].event == process::tau) throw NotDirect{};
 }
 
-/// Writes the operator in front of the step's target; returns where.
+/// Writes the operator before the target of the step. Returns the position of the first byte.
 std::size_t DirectSteps::wrap(Op op, std::uint32_t part, const PackedSteps::Step& step) {
     Bytes& bytes = out_->bytes;
     const std::size_t begin = bytes.size();
@@ -326,7 +327,7 @@ void DirectSteps::name(const Code& code, Frame& frame) {
     value(values_.eval_name(code, frame));
 }
 
-/// The global definition that a name is of, if this one group of arguments is all that it takes.
+/// Returns the global function with this name if it has a single group of this many arguments, otherwise null.
 const Function* DirectSteps::global_with(const Code& callee, std::size_t arguments) const {
     if (callee.kind != ExprKind::name || callee.reference != Reference::global) return nullptr;
     const Global& global = tables_.program.globals[static_cast<std::size_t>(callee.slot)];
@@ -392,7 +393,7 @@ void DirectSteps::external_choice(const Code& code, Frame& frame) {
             process(*code.args[0], inside);
             ++operands;
         });
-        if (operands == 1) return;  // one alone is itself
+        if (operands == 1) return;  // a choice with one operand is that operand
     }
     refuse_taus(first);
 }
@@ -415,7 +416,7 @@ void DirectSteps::hide(const Code& code, Frame& frame) {
 
 // ---------------------------------------------------------------- prefixes (eval/prefixes.cpp)
 
-/// A variable that a prefix keeps.
+/// Returns the value of a variable that a prefix captures.
 Value DirectSteps::captured(const Frame& frame, int slot) {
     const Value value = frame[static_cast<std::size_t>(slot)];
     return value == nullptr ? tables_.store.tuple({}) : values_.share(value);
@@ -480,7 +481,7 @@ void DirectSteps::input_parts(const Code& code, std::size_t field, std::size_t p
     }
 }
 
-// Both depend on nothing but the values, which live as long as this.
+// The results of both functions are cached. They depend only on the values, which outlive this object.
 
 Value DirectSteps::combined(Value base, Value more, Span span) {
     Dotted& known = dotted_[(place_of(base) * 31 + place_of(more)) & 1023U];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The steps of sequential processes from their bytes to the bytes of what follows, without terms in between.
+// Computes the steps of sequential processes directly from their bytes, without building terms.
 //
-// It knows calls, conditions, prefixes, choices, sequential composition, hiding and renaming, by the same rules as
-// eval/processes.cpp, eval/prefixes.cpp and process/firing_rules.cpp, which decide what a process means. Whatever else
-// it meets, and every error, it leaves to them: then it has no answer.
+// Supported are calls, conditions, prefixes, choices, sequential composition, hiding and renaming. The rules are those
+// of eval/processes.cpp, eval/prefixes.cpp and process/firing_rules.cpp, which define the meaning of processes. For all
+// other operators, and after any error, the caller must compute the steps with terms.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace robochart::cspm {
 
-/// The transitions of one term, with the bytes of their targets.
+/// The transitions of one term, with the bytes of their target terms.
 class PackedSteps {
 public:
     struct Step {
@@ -31,24 +31,24 @@ public:
     [[nodiscard]] std::span<const std::uint8_t> target(const Step& step) const {
         return std::span(bytes).subspan(step.begin, step.end - step.begin);
     }
-    /// The step's target is what was written from `begin` on.
+    /// Adds a step whose target consists of all bytes from `begin` on.
     void add(process::Event event, process::Event revealed, std::size_t begin) {
         steps.push_back({event, revealed, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(bytes.size())});
     }
-    /// From the step `first` on: by event, in the order they are in; of equal ones the first.
+    /// Sorts the steps from index `first` on by event and removes duplicates. The sort is stable.
     void put_in_order(std::size_t first);
 
     std::vector<Step> steps;
     Bytes bytes;
 };
 
-/// Finds steps; owns only what saves memory from being asked for again.
+/// Finds steps. Keeps its buffers between calls so that it allocates memory rarely.
 class DirectSteps {
 public:
     DirectSteps(Evaluator& values, TermCodec& codec, PackedParts& parts);
 
-    /// The steps of the term written in `row`, ordered by event; the events are the evaluator's. False: there is no
-    /// answer, and what is in `out` means nothing.
+    /// Writes the steps of the term encoded in `row` to `out`, ordered by event. Events have the numbers of the
+    /// evaluator. Returns false if the steps must be computed with terms; `out` is then undefined.
     [[nodiscard]] bool find(std::span<const std::uint8_t> row, PackedSteps& out);
 
 private:
@@ -56,7 +56,7 @@ private:
     class Borrowed;
     class Nested;
 
-    // rows
+    // steps of encoded terms
     void row(ByteReader& in);
     void row_call(ByteReader& in);
     void row_prefix(ByteReader& in);
@@ -66,7 +66,7 @@ private:
     void row_hide(ByteReader& in);
     void row_rename(ByteReader& in);
 
-    // processes of the script
+    // steps of process expressions
     void process(const Code& code, Frame& frame);
     void name(const Code& code, Frame& frame);
     void apply(const Code& code, Frame& frame);
@@ -82,14 +82,14 @@ private:
     void input(const Code& code, std::size_t field, Value base, Frame& frame);
     void input_parts(const Code& code, std::size_t field, std::size_t part, Value base, Frame& frame);
 
-    // what operators make of their operands' steps, from the step `first` on
+    // transformations of the steps from index `first` on by an operator
     void refuse_taus(std::size_t first) const;
     void followed_by(std::size_t first, std::span<const std::uint8_t> next);
     void hidden(std::size_t first, process::SetId set);
     void renamed(std::size_t first, process::RenamingId renaming);
     std::size_t wrap(process::Op op, std::uint32_t part, const PackedSteps::Step& step);
 
-    // bytes of processes of the script (direct_bytes.cpp)
+    // bytes of process expressions (direct_bytes.cpp)
     void write(const Code& code, Frame& frame);
     void write_name(const Code& code, Frame& frame);
     void write_apply(const Code& code, Frame& frame);
@@ -113,7 +113,7 @@ private:
     std::deque<Frame> frames_;
     std::size_t borrowed_ = 0;
     unsigned nested_ = 0;
-    unsigned unanswered_ = 0;  // rows in succession that had no answer; after some, most are not tried
+    unsigned unanswered_ = 0;  // consecutive failed calls; after 32 of them, most calls fail at once
     unsigned passed_ = 0;
     Value unread_;
     struct Dotted {

@@ -36,7 +36,7 @@ process::TermId LoadedScript::term_of(const Side& side) {
     return evaluator.tau_priority(term, evaluator.event_set(*side.tau_priority->code, *side.tau_priority->unit));
 }
 
-/// The first definition that a call in the term is of.
+/// Returns the place of the definition of the first call in the term.
 Span LoadedScript::place_of(process::TermId term) {
     const process::Term& at = terms[term];
     if (at.op == process::Op::call) return evaluator.place_of_call(at.payload);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A script made ready to run, with all that its evaluation makes and keeps.
+// A script that is ready for evaluation: its code, values, events and terms.
 #pragma once
 
 #include <functional>
@@ -12,16 +12,16 @@
 
 namespace robochart::cspm {
 
-/// Owns the program of a script, its values and its terms. Loaded twice from the same script, definitions have the same
-/// numbers as long as the same expressions are made ready in the same order.
+/// Owns the code of a script, its values and its terms. If the same script is loaded again and the same expressions are
+/// compiled in the same order, definitions have the same numbers.
 class LoadedScript {
 public:
-    /// The budget is polled while the script is made ready. `whole_states`: see Session.
+    /// Polls the budget while it compiles the script. `whole_states`: see Session.
     LoadedScript(const Script& script, process::Compressor* compressor, diagnostics::Budget* budget, bool whole_states);
     LoadedScript(const LoadedScript&) = delete;
     LoadedScript& operator=(const LoadedScript&) = delete;
 
-    /// An expression of the script's global scope, or of the scope of an assertion.
+    /// An expression, compiled in the global scope of the script or in the scope of an assertion.
     struct Ready {
         const Code* code = nullptr;
         const Unit* unit = nullptr;
@@ -34,8 +34,8 @@ public:
     };
     [[nodiscard]] Side side(const ExprPtr& expr, const Decl& assertion);
     [[nodiscard]] process::TermId term_of(const Side& side);
-    /// What the firing rules object to becomes an error of evaluation, so that users of a session see one kind: at the
-    /// definition at fault, if that is known, or else at `span`.
+    /// Converts errors of the firing rules to evaluation errors, so that callers handle one type of exception. The
+    /// error is placed at the erroneous definition if it is known, otherwise at `span`.
     template <class Work>
     auto evaluated_at(Span span, const Work& work) {
         try {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why a process is not searched as packed states.
+// The exception for processes that cannot be searched as packed states.
 #pragma once
 
 namespace robochart::cspm {
 
-/// Thrown where a term or a value has no packed form: the process is searched as terms. It is no std::exception, so
-/// that nothing takes it for a fault of the process.
+/// Thrown if a term or a value has no packed form. The caller then searches the process as terms. This is not a
+/// std::exception, so that no handler mistakes it for an error of the process.
 struct NotPacked {
     const char* why;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sets of events, renamings and orders that packed terms name by number. Evaluation numbers these anew whenever it
-// begins again (packed_processes.hpp); here they keep the numbers of the search.
+// The sets of events, renamings and priority orders that packed terms name by number. These numbers stay valid for the
+// whole search, although a term store that is created later numbers the same sets anew (packed_processes.hpp).
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@
 
 namespace robochart::cspm {
 
-/// Owns the contents of the parts.
+/// Owns the contents of these parts.
 class PackedParts {
 public:
-    /// From now on terms are those of this store, whose events are those of the store before.
+    /// Sets the term store of the following calls. Events must have the same numbers in all stores.
     void use(process::TermStore& terms);
-    /// From now on a part without a number is refused with NotPacked: all rows have the same numbers in every run.
+    /// After this call a part without a number causes NotPacked. This makes the rows of a search the same in every run.
     void fix() { fixed_ = true; }
 
     [[nodiscard]] std::uint32_t number(process::SetId set);
@@ -28,7 +28,7 @@ public:
     [[nodiscard]] process::OrderId order(std::uint32_t number);
 
 private:
-    using Content = std::vector<process::EventSet>;  // of a renaming, pair after pair in one list
+    using Content = std::vector<process::EventSet>;  // one set; a renaming is one list of its pairs
     using Numbers = std::vector<std::optional<std::uint32_t>>;
 
     std::uint32_t keep(Content content);
@@ -37,8 +37,8 @@ private:
     bool fixed_ = false;
     std::map<Content, std::uint32_t> numbers_;
     std::vector<const Content*> contents_;
-    Numbers sets_, renamings_, orders_;                       // by the store's numbers, those of the search
-    Numbers inside_sets_, inside_renamings_, inside_orders_;  // by the numbers of the search, the store's
+    Numbers sets_, renamings_, orders_;                       // number in the store -> number in the search
+    Numbers inside_sets_, inside_renamings_, inside_orders_;  // number in the search -> number in the store
 };
 
 }  // namespace robochart::cspm

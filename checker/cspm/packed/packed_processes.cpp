@@ -10,7 +10,8 @@ namespace robochart::cspm {
 
 namespace {
 
-/// The script knows the scopes of its own assertions by their places in memory.
+/// Returns the assertion object of the script itself, because the script finds the scopes of its assertions by their
+/// addresses.
 DeclPtr kept_assertion(const Script& script, const Decl& assertion) {
     for (const DeclPtr& each : assertions_in(script.decls))
         if (each.get() == &assertion) return each;
@@ -19,7 +20,7 @@ DeclPtr kept_assertion(const Script& script, const Decl& assertion) {
 
 }  // namespace
 
-/// A compression cannot be forgotten and made again for each of its states.
+/// Rejects compressions, because a compressed operand would have to be explored again for each of its states.
 class PackedProcesses::NoCompressor final : public process::Compressor {
 public:
     std::optional<process::Machine> explore(process::TermId /*operand*/, process::Compression /*kind*/,
@@ -32,7 +33,8 @@ public:
     }
 };
 
-/// While this lives the script may make events; before and after, the search has the same ones, with the same numbers.
+/// Copies new events between the table of the search and the table of the script. Both tables are equal before and
+/// after the lifetime of this object.
 class PackedProcesses::SameEvents {
 public:
     SameEvents(process::EventTable& search, process::EventTable& script) : search_(search), script_(script) {
@@ -70,7 +72,7 @@ std::size_t PackedProcesses::add(const ExprPtr& expr, const Decl& assertion) {
     return asked_.size() - 1;
 }
 
-// The sides are made ready in the same order each time.
+// Compiles the sides in the same order each time, so that definitions have the same numbers.
 void PackedProcesses::load() {
     direct_.reset();
     codec_.reset();
@@ -84,7 +86,7 @@ void PackedProcesses::load() {
     ++loads_;
 }
 
-/// It knows the definitions that there are by now.
+/// Called after each compilation, because the codec contains the definitions that exist when it is created.
 void PackedProcesses::make_codec() {
     const Evaluator::Parts parts = loaded_->evaluator.parts();
     codec_ = std::make_unique<TermCodec>(parts.program, parts.store, parts.terms, parts.processes, parts_);
@@ -95,7 +97,8 @@ std::size_t PackedProcesses::kept() const {
     return loaded_->store.size() + loaded_->terms.size();
 }
 
-/// What the first state needs, the constants of the script most of all, is needed again.
+/// Drops all evaluated data if there is much more than after the first state. The first state mainly needs the
+/// constants of the script, which are needed again after every reload.
 void PackedProcesses::forget() {
     const std::size_t now = kept();
     if (kept_at_start_ == 0) kept_at_start_ = now;
@@ -105,7 +108,7 @@ void PackedProcesses::forget() {
     loaded_.reset();
 }
 
-/// Loading may have been stopped by a limit.
+/// The script is not loaded if a limit stopped the previous attempt.
 void PackedProcesses::load_if_needed() {
     if (direct_ == nullptr) load();
 }
@@ -119,7 +122,7 @@ Bytes PackedProcesses::initial(std::size_t side) {
     return bytes;
 }
 
-// Breadth first, as a search has looked at them that has found the process large.
+// Examines the first states in breadth-first order, as the search does.
 bool PackedProcesses::is_direct(std::size_t side) {
     constexpr std::size_t enough = 64;
     std::vector<Bytes> rows{initial(side)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The processes of a script with their states as bytes (term_codec.hpp). Nothing is kept of a state but its bytes:
-// what is evaluated for its steps is forgotten now and then, all at once, by loading the script anew.
+// The processes of a script whose states are stored as bytes (term_codec.hpp). Only the bytes of a state are stored.
+// The data evaluated for its steps are dropped from time to time by loading the script again.
 #pragma once
 
 #include <functional>
@@ -13,43 +13,45 @@
 
 namespace robochart::cspm {
 
-/// Owns a loaded script of its own. Steps depend on a state's bytes alone, not on what was asked before: events have
-/// the numbers of the search, whose table and the script's are kept alike, and where the elements of a set would be in
-/// the order in which processes were made, there are no packed states (NotPacked).
+/// Owns a loaded script. The steps of a state depend only on its bytes and not on earlier calls. Events have the same
+/// numbers in the table of the search and in that of the script. Sets of processes have no packed form (NotPacked),
+/// because their order depends on the order in which the processes were created.
 class PackedProcesses {
 public:
     struct Settings {
         bool whole_states = false;  ///< see Session
-        /// Values and terms that may be kept beside those that the start took.
+        /// The maximal number of stored values and terms in addition to those of the first state.
         std::size_t most_kept = 400'000;
-        bool terms_alone = false;        ///< for tests: no steps are found without terms
-        bool forget_each_state = false;  ///< for tests: the script is loaded again for each state
+        bool terms_alone = false;        ///< for tests: all steps are computed with terms
+        bool forget_each_state = false;  ///< for tests: loads the script again for each state
     };
-    /// `events`: those of the searches.
+    /// `events`: the events of the searches.
     PackedProcesses(Script script, process::EventTable& events, const Settings& settings);
     ~PackedProcesses();
     PackedProcesses(const PackedProcesses&) = delete;
     PackedProcesses& operator=(const PackedProcesses&) = delete;
 
-    /// One more process, a side of an assertion; returns its number. Bytes of states are those of no other number.
+    /// Adds a process, which is one side of an assertion, and returns its number.
     [[nodiscard]] std::size_t add(const ExprPtr& expr, const Decl& assertion);
 
-    /// From now on rows are the same in every run: what would be numbered in the order of its appearance is refused.
+    /// After this call rows are the same in every run. Parts that would be numbered in the order of their appearance
+    /// cause NotPacked.
     void fix_parts() { parts_.fix(); }
 
-    // These throw EvaluationError, and NotPacked where a state has no bytes.
+    // The following functions throw EvaluationError, and NotPacked if a state has no packed form.
     [[nodiscard]] Bytes initial(std::size_t side);
-    /// By event; events are those of the searches. `span`: where a fault is that no definition is to blame for.
+    /// Writes the steps of the state to `out`, ordered by event. Events have the numbers of the search. `span`: the
+    /// place of errors that no definition causes.
     void steps(std::span<const std::uint8_t> state, Span span, PackedSteps& out);
     [[nodiscard]] std::string describe(std::span<const std::uint8_t> state);
 
     [[nodiscard]] process::EventTable& events() const { return events_; }
     void watch(std::function<void()> poll);
-    /// Whether the steps of the first states are found without terms.
+    /// Whether the steps of the first states can be computed without terms.
     [[nodiscard]] bool is_direct(std::size_t side);
-    /// How often the script was loaded.
+    /// How often the script has been loaded.
     [[nodiscard]] std::size_t loads() const { return loads_; }
-    /// Steps found without terms.
+    /// The number of states whose steps were computed without terms.
     [[nodiscard]] std::uint64_t direct_answers() const { return direct_answers_; }
 
 private:

@@ -63,7 +63,7 @@ std::string PackedSystem::describe(lts::StateView state) const {
     return processes_->describe(bytes_of(state));
 }
 
-// Half as wide again, so that states that grow do not begin the search often.
+// Increases the width by at least one half, so that growing states restart the search only a few times.
 void PackedSystem::widen() {
     constexpr std::size_t most_words = 256;
     if (needed_ <= width_) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A process that stays a term, searched as packed states: rows of one width, each the bytes of a term, filled up with
-// zeros. Two states share a row only if they are the same term, whatever was evaluated before.
+// A transition system of packed states for a process that is not compiled. All rows have the same width: a row contains
+// the bytes of a term, followed by zeros. Two states have the same row only if they are the same term, independently of
+// earlier evaluations.
 #pragma once
 
 #include <deque>
@@ -11,10 +12,10 @@
 
 namespace robochart::cspm {
 
-/// Thrown by a PackedSystem where a state needs more words: it has to be widened and searched from the start.
+/// Thrown by a PackedSystem if a state needs more words. The caller must widen the rows and restart the search.
 struct RowsTooNarrow {};
 
-/// One process of a question, which it shares with the other one.
+/// One side of an assertion. Both sides share the PackedProcesses.
 class PackedSystem final : public lts::TransitionSystem {
 public:
     PackedSystem(std::shared_ptr<PackedProcesses> processes, std::size_t side, Span span);
@@ -26,7 +27,7 @@ public:
     void watch(const std::function<void()>& poll) override { processes_->watch(poll); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
 
-    /// Makes rows as wide as the last state needed, if that was too long. Throws NotPacked where that is very long.
+    /// Widens the rows to the size of the last state that did not fit. Throws NotPacked if that state is too large.
     void widen();
 
 private:
@@ -37,13 +38,13 @@ private:
     Span span_;
     std::size_t width_ = 2;
     std::size_t needed_ = 0;
-    /// What one call of `successors` works with: a sink may ask for successors too.
+    /// The buffers of one call of `successors`. Calls can be nested, because a sink may ask for successors.
     struct Workspace {
         PackedSteps steps;
         std::vector<lts::Word> row;
     };
     std::deque<Workspace> workspaces_;
-    std::size_t calls_ = 0;  // under way
+    std::size_t calls_ = 0;  // number of active calls
 };
 
 }  // namespace robochart::cspm

@@ -12,7 +12,7 @@ using process::TermId;
 
 namespace {
 
-// The first byte of a value: a small number, a kind, or one of these.
+// The first byte of a value is a small number, a kind, or one of these constants.
 constexpr std::uint8_t first_kind = 0x80;
 constexpr std::uint8_t false_value = 0xC0;
 constexpr std::uint8_t true_value = 0xC1;
@@ -21,7 +21,7 @@ constexpr std::int64_t most_small = 0x7F;
 
 constexpr unsigned deepest = 1000;
 
-/// Counts how deep a term or value is; rows are read and written by recursion.
+/// Limits the depth of a term or value, because rows are read and written recursively.
 class Deeper {
 public:
     explicit Deeper(unsigned& depth) : depth_(depth) {
@@ -36,7 +36,7 @@ private:
     unsigned& depth_;
 };
 
-/// Values of these kinds are written with a number.
+/// Whether values of this kind are written with a number.
 bool has_number(Kind kind) {
     switch (kind) {
         case Kind::tuple:
@@ -52,7 +52,7 @@ bool has_number(Kind kind) {
     }
 }
 
-/// How many operands an operator has; none: their number is written.
+/// The number of operands of an operator. No value if it varies; it is then written before the operands.
 std::optional<std::size_t> operands_of(Op op) {
     switch (op) {
         case Op::stop:
@@ -80,7 +80,7 @@ std::optional<std::size_t> operands_of(Op op) {
     }
 }
 
-/// Which table the payload of an operator is a number of.
+/// The table to which the payload of an operator refers.
 enum class Part : std::uint8_t { none, set, renaming, order };
 
 Part part_of(Op op) {
@@ -116,7 +116,7 @@ TermCodec::TermCodec(const Program& program, ValueStore& store, process::TermSto
                      PackedParts& parts)
     : program_(program), store_(store), terms_(terms), processes_(processes), parts_(parts) {
     const auto add = [this](const Function& function) {
-        // Definitions of other kinds than functions have no number of their own.
+        // Only functions have numbers.
         if (!function.clauses.empty()) put_at<const Function*>(functions_, function.number, &function);
     };
     for (const Global& global : program.globals)
@@ -162,7 +162,8 @@ void TermCodec::write(Value value, Bytes& out) {
     if (value->kind == Kind::function) put_number(value->function->number, out);
     if (value->kind == Kind::group) put_number(value->group->number, out);
     put_number(value->items.size(), out);
-    // The elements of a set and the keys of a map are in order, and processes are in that of their making.
+    // The elements of a set and the keys of a map are sorted. The order of processes is the order of their creation, so
+    // a process inside such a value is rejected.
     const bool ordered = value->kind == Kind::set || value->kind == Kind::map || value->kind == Kind::united;
     if (ordered) ++inside_sets_;
     try {
@@ -268,14 +269,14 @@ TermId TermCodec::read_call(ByteReader& in) {
 
 // ---------------------------------------------------------------- prefixes
 
-/// After the place in the script, if the kind has one.
+/// Returns the number of values in the key of a prefix after its place in the script.
 std::size_t TermCodec::values_of_prefix(PrefixKind kind, std::uint64_t place) const {
     switch (kind) {
         case PrefixKind::script:
             return program_.prefixes.at(place)->unit->captures.size();
-        case PrefixKind::chosen:  // the field, the event so far, the variables
+        case PrefixKind::chosen:  // the index of the field, the event so far, the variables
             return 2 + static_cast<std::size_t>(program_.prefixes.at(place)->unit->size);
-        case PrefixKind::waiting:  // the ticks, the process behind them
+        case PrefixKind::waiting:  // the number of tocks and the process after them
             return 2;
         case PrefixKind::stopped:
         case PrefixKind::skipping:
@@ -286,7 +287,7 @@ std::size_t TermCodec::values_of_prefix(PrefixKind kind, std::uint64_t place) co
     throw NotPacked{"a prefix of no kind"};
 }
 
-// The first value of a key is the place in the script, or the event by which time passes; a buffer has neither.
+// The first value of a key is the place in the script, or the tock event. Buffers have neither.
 void TermCodec::write_prefix(const process::Term& term, Bytes& out) {
     const auto [kind, key] = processes_.prefix_key(term.payload);
     begin_operator(Op::prefix, out);

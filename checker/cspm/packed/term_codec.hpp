@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Process terms as bytes, by content: equal terms have equal bytes and different ones different bytes, in whatever
-// order terms and values were made. A term's bytes say where it ends, so rows may be filled up with zeros.
+// Encodes process terms as bytes, by content. Equal terms have equal bytes and different terms have different bytes,
+// independently of the order in which terms and values were created. The encoding of a term determines where it ends,
+// so zeros may follow it in a row.
 //
-// A call is its definition with its arguments, a prefix its place in the script with the values that it uses; other
-// operators are written before their operands. Definitions and places have the numbers of the resolver, which are the
-// same whenever the same script is read. Sets of events and renamings are written by number (packed_parts.hpp).
+// A call is encoded as its definition and arguments, a prefix as its place in the script and the values that it uses.
+// Other operators are written before their operands. The resolver numbers definitions and places, so the numbers are
+// the same whenever the same script is loaded. Sets of events and renamings are written as numbers (packed_parts.hpp).
 #pragma once
 
 #include <vector>
@@ -17,32 +18,33 @@
 
 namespace robochart::cspm {
 
-/// Writes and reads terms and values of one store. What has no packed form is refused with NotPacked: compressions and
-/// what they make; sequences without end; sets of processes, whose order is that in which the processes were made.
+/// Writes and reads the terms and values of one store. Throws NotPacked for terms and values without a packed form:
+/// compressions and their states, infinite sequences, and sets of processes, whose order depends on the order in which
+/// the processes were created.
 class TermCodec {
 public:
-    /// All expressions are resolved already.
+    /// All expressions must have been compiled before.
     TermCodec(const Program& program, ValueStore& store, process::TermStore& terms, ProcessTerms& processes,
               PackedParts& parts);
 
     void write(process::TermId term, Bytes& out);
     [[nodiscard]] process::TermId read(ByteReader& in);
-    /// `value` is shared.
+    /// `value` must be shared (Value in eval/value.hpp).
     void write(Value value, Bytes& out);
     [[nodiscard]] Value read_value(ByteReader& in);
-    /// Passes over a term.
+    /// Skips a term.
     void skip(ByteReader& in);
 
-    // The parts of calls and prefixes, for whoever reads or writes them without making terms.
-    /// How many values the function has already, and how many its last group of arguments.
+    // The parts of calls and prefixes, for code that reads or writes them without terms.
+    /// The number of values that the function has already received, and the number of arguments in its last group.
     struct CallShape {
         std::size_t given;
         std::size_t arguments;
     };
     [[nodiscard]] static CallShape shape(const Function& function);
-    /// The head of a call in that shape; the values follow, those given first.
+    /// Writes the beginning of a call. The caller then writes the values: first those given before, then the arguments.
     static void begin_call(const Function& function, Bytes& out);
-    /// After the operator: the function; null: a call in another form, which `read` knows.
+    /// Reads the function of a call, after the operator. Null if the call has another form, which only `read` supports.
     [[nodiscard]] const Function* call_head(ByteReader& in) const;
     static void begin_operator(process::Op op, Bytes& out) { out.push_back(static_cast<std::uint8_t>(op)); }
 
