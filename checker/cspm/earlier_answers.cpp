@@ -16,7 +16,7 @@ namespace robochart::cspm {
 
 namespace {
 
-/// Larger specifications are not visited as a whole.
+/// Specifications with more states are not explored completely.
 constexpr std::size_t most_specification_states = 20'000;
 
 struct GivesUp {};
@@ -103,7 +103,7 @@ QuestionKey key_of_packed(const Question& question, const Script& script, const 
 
 namespace {
 
-/// Whether they can be written with these events: those of linked processes are none of a channel.
+/// Whether all events of the findings are among these events. Events of linked processes belong to no channel.
 bool all_named(const refine::Findings& findings, const process::EventSet& named) {
     if (!findings.violation) return true;
     const auto known = [&](process::Event event) { return std::ranges::binary_search(named, event); };

@@ -37,27 +37,28 @@ struct QuestionKey {
 [[nodiscard]] std::optional<QuestionKey> key_of(const Question&, const std::function<void()>& poll,
                                                 const std::optional<std::chrono::milliseconds>& longest);
 
-/// The key of a question about packed states (packed/packed_system.hpp), which depend on the script: the whole of it,
-/// the assertion, and the names of its events in their order. `events`: all of the script's channels.
+/// The key of a check on packed states (packed/packed_system.hpp). Packed states depend on the script, so the key
+/// covers the whole script, the assertion, and the names of its events in their order. `events`: the events of all
+/// channels of the script.
 [[nodiscard]] QuestionKey key_of_packed(const Question&, const Script& script, const Decl& assertion,
                                         const process::EventSet& events);
 
-/// For answers that only save time.
+/// The time limit for exploring a specification if the answer only saves time.
 inline constexpr std::chrono::milliseconds longest_look{1000};
 
-/// Where answers are stored, and for which searches.
+/// The cache for answers, and the size of a search from which its answer is stored.
 struct Memory {
     diagnostics::Cache* cache = nullptr;
     std::uint64_t fewest_states = 0;
 };
 
-/// Runs the check, with the findings of an earlier run if the memory contains them, and stores the findings of a search
-/// that was large enough. `ask` decides the check (check.hpp) with the known findings. Findings that are not confirmed
-/// are not used.
+/// Runs the check and uses the findings of an earlier run if the memory contains them. Stores the findings if the
+/// search was large enough. `ask` decides the check (check.hpp) with the known findings. Findings that are not
+/// confirmed are not used.
 [[nodiscard]] refine::Verdict answer(const Question&, const QuestionKey&, const Memory&,
                                      const std::function<refine::Verdict(refine::Earlier)>& ask);
-/// The same for packed states, which may be widened and asked about again: findings are those of states of this width.
-/// They are kept under the question's own key too, once it is answered.
+/// The same for packed states. If rows are widened, the check runs again, and its findings are those of states of the
+/// new width. They are also stored under the key of the check itself when it has been answered.
 [[nodiscard]] refine::Verdict answer_of_width(const Question&, const QuestionKey&, const Memory&,
                                               const std::function<refine::Verdict(refine::Earlier)>& ask);
 

@@ -30,17 +30,17 @@ namespace robochart::cspm {
 
 namespace {
 
-/// Thrown by a SessionSystem that has made more terms than it may.
+/// Thrown by a SessionSystem when it has created more terms than allowed.
 struct ManyTerms {};
 
-// A process that stays a term.
+// A process that is not compiled but searched as terms.
 class SessionSystem final : public lts::TransitionSystem {
 public:
     /// Errors are placed at the erroneous definition, or otherwise at `span`.
     SessionSystem(LoadedScript& loaded, process::TermId term, Span span)
         : loaded_(loaded), system_(loaded.semantics, term), term_(term), span_(span) {}
 
-    /// Counts the terms that are made, and throws ManyTerms when they have become `most`.
+    /// Counts created terms in `made`, and throws ManyTerms when there are `most` of them.
     void count(std::size_t& made, std::size_t most) {
         made_ = &made;
         most_made_ = most;
@@ -179,7 +179,7 @@ struct Session::Impl {
     class Polling {
     public:
         Polling(Impl& impl, refine::Budget& budget) : impl_(impl) {
-            // The evaluator polls seldom, since its steps are small.
+            // The evaluator polls rarely, because its steps are small.
             constexpr std::uint64_t at_once = 1024;
             impl_.loaded.evaluator.watch([&budget] { budget.charge(at_once); });
             impl_.loaded.semantics.watch([this, &budget] {
@@ -206,8 +206,8 @@ struct Session::Impl {
         progress.states = stage.states;
     }
 
-    /// Used during compilation. A component with more states than the check's limit is not compiled: it runs as a term,
-    /// of which only the states that the whole process reaches count.
+    /// Returns the poll function for a compilation. A component with more states than the limit of the check is not
+    /// compiled. It stays a term, because only those of its states count that the whole process reaches.
     std::function<void()> polling_within(refine::Budget& budget, const refine::Limits& limits) const {
         return [this, &budget, most = limits.max_states] {
             budget.charge();
@@ -216,7 +216,7 @@ struct Session::Impl {
     }
 
     struct Sides {
-        std::unique_ptr<lts::TransitionSystem> first, second;  ///< second: only for a refinement
+        std::unique_ptr<lts::TransitionSystem> first, second;  ///< `second`: only for a refinement
     };
 
     Sides sides(const Decl& assertion, const refine::Limits& limits) {
@@ -231,7 +231,7 @@ struct Session::Impl {
         return result;
     }
 
-    /// The stage of the compilation when it was stopped.
+    /// Describes the stage of the compilation at which it was stopped.
     std::string stage_reached() const {
         const machine::Compiler::Stage& stage = compiler.stage();
         if (!stage.component) return "";
@@ -272,7 +272,7 @@ struct Session::Impl {
                               [&] { return decide_once(both, assertion, limits, evaluation); });
     }
 
-    /// The answer about these systems as they are now.
+    /// Decides the assertion for these systems without changing how they are stored.
     refine::Verdict decide_once(const Sides& both, const Decl& assertion, const refine::Limits& limits,
                                 refine::Budget& evaluation) {
         const refine::Model in = model(assertion);
@@ -295,8 +295,8 @@ struct Session::Impl {
                 limits.reduction};
     }
 
-    /// Such a search may continue an earlier run's, independently of the limit that ended it. Its answers are stored
-    /// separately, since the statistics of a search that finds a violation differ.
+    /// Decides by levels. The search may continue one of an earlier run, whatever limit ended that one. Its answers are
+    /// stored separately, because its statistics differ if it finds a violation.
     refine::Verdict decide_by_levels(const Sides& both, const Decl& assertion, const refine::Limits& limits,
                                      refine::Budget& evaluation,
                                      const std::function<refine::Verdict(refine::Earlier)>& ask) {
@@ -326,7 +326,8 @@ struct Session::Impl {
         return dynamic_cast<SessionSystem*>(side.get());
     }
 
-    /// Decides anew when processes that stay terms turn out to be large, or their packed states to need more space.
+    /// Repeats the check with packed states if processes that stay terms turn out to be large, and with wider rows if
+    /// packed states do not fit.
     refine::Verdict decide_packing(Sides& both, const Decl& assertion, const refine::Limits& limits,
                                    const std::function<refine::Verdict()>& attempt) {
         enum class Before { nothing, pack, widen, unpack };
@@ -368,7 +369,7 @@ struct Session::Impl {
     /// Replaces each process that stays a term by packed states. The terms become the reference for replays.
     void pack_sides(Sides& both, const Decl& assertion, const refine::Limits& limits) {
         const Assertion& asked = assertion.assertion;
-        // The numbers of events must not depend on what a search meets first, which another run may not search again.
+        // Event numbers must be the same in every run, but a search numbers events in the order in which it finds them.
         if (limits.by_levels != nullptr) all_events = events_of_script();
         const std::shared_ptr<PackedProcesses> processes = processes_for(limits);
         std::vector<std::pair<std::unique_ptr<lts::TransitionSystem>*, std::size_t>> sides;
@@ -426,7 +427,7 @@ struct Session::Impl {
         }
     }
 
-    /// Values and terms take some hundred bytes each: a small part of the memory.
+    /// Values and terms take a few hundred bytes each, which is a small part of the memory.
     static std::size_t most_kept_in(std::uint64_t memory_bytes) {
         constexpr std::uint64_t fewest = 20'000, most = 400'000;
         return static_cast<std::size_t>(std::clamp(memory_bytes / 2048, fewest, most));
@@ -458,7 +459,7 @@ struct Session::Impl {
     Packing packing;
     std::size_t terms_made = 0;                         ///< by searches
     std::shared_ptr<PackedProcesses> packed_processes;  ///< null until a process is packed
-    std::optional<process::EventSet> all_events;        ///< of the script, where rows are the same in every run
+    std::optional<process::EventSet> all_events;        ///< set if rows must be the same in every run
     machine::MachineCompressor compressor;
     LoadedScript loaded;
     machine::Compiler compiler;
@@ -525,8 +526,8 @@ std::optional<process::Behaviour> Session::behaviour(const refine::Counterexampl
     try {
         return process::behaviour(impl_->loaded.semantics, counterexample.terms.front(), run, offers);
     } catch (const EvaluationError&) {
-        // Terms inside a compression may be visited that the search has not evaluated; the verdict is given without
-        // them.
+        // The explanation may visit terms inside a compression that the search has not evaluated. If that fails, the
+        // verdict is reported without it.
     } catch (const process::SemanticsError&) {
     }
     return std::nullopt;

@@ -69,33 +69,33 @@ public:
     /// The run of a counterexample taken apart into components; the loop of a divergence follows the trace. No value if
     /// its states are not terms. Without `offers`, no state after the run is computed.
     [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&, bool offers = true);
-    /// The same within limits; no value if one is reached.
+    /// The same with limits. Returns no value if a limit is reached.
     [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&, const refine::Limits&);
-    /// The same for display: adds to the descriptions in the counterexample the values of arguments that are never
-    /// read, which the terms of states do not contain. The terms of this behaviour are not the session's.
+    /// The same for display. Adds to the counterexample the values of arguments that are never read; the terms of
+    /// states do not contain them. The terms of the result belong to another session.
     [[nodiscard]] std::optional<process::Behaviour> behaviour_with_values(const Decl& assertion,
                                                                           refine::Counterexample&,
                                                                           const refine::Limits&);
     /// The transitions of a term. Throws EvaluationError or process::SemanticsError if its definitions cannot be
     /// evaluated.
     [[nodiscard]] std::vector<process::Transition> transitions(process::TermId term);
-    /// Takes one of these apart: what each component does in it.
+    /// Splits one of these transitions into the moves of the components.
     [[nodiscard]] std::vector<process::Move> moves(process::TermId term, const process::Transition& step);
 
     /// An expression in the script's global scope as a process.
     [[nodiscard]] process::TermId process(const ExprPtr&);
     /// The same as a transition system that shares this session's events; valid during the session's lifetime.
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> system(const ExprPtr&);
-    /// The same within limits; throws process::Interrupted if one is reached during compilation.
+    /// The same with limits. Throws process::Interrupted if a limit is reached during compilation.
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> system(const ExprPtr&, const refine::Limits&);
-    /// The same with unreduced components: none is replaced by a smaller equivalent one, so that a state determines the
-    /// state of each component, and hidden events keep their names.
+    /// The same with components that are not minimised. A state then determines the state of each component, and hidden
+    /// events keep their names.
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> whole_system(const ExprPtr&, const refine::Limits&);
     /// An expression that denotes an event or a set of events.
     [[nodiscard]] process::EventSet events(const ExprPtr&);
     /// An expression of any other type, printed like FDR's `print`.
     [[nodiscard]] std::string evaluate(const ExprPtr&);
-    /// The same within limits; throws process::Interrupted if one is reached.
+    /// The same with limits. Throws process::Interrupted if a limit is reached.
     [[nodiscard]] std::string evaluate(const ExprPtr&, const refine::Limits&);
 
     [[nodiscard]] process::EventTable& event_table();

@@ -30,7 +30,8 @@ bool leaves_values_out(std::string_view description) {
     return next_place(description, 0) != std::string_view::npos;
 }
 
-// The texts between the omitted values must occur in the same order, the first at the beginning, the last at the end.
+// The texts between the omitted values must occur in the same order. The first one must be at the beginning and the
+// last one at the end.
 bool describes(std::string_view with_places, std::string_view with_values) {
     std::size_t begin = 0;
     std::size_t at = 0;

@@ -25,8 +25,8 @@ struct WholeRun {
     std::vector<process::Transition> steps;
 };
 
-/// The run of `initial` with the same steps, by the names of their events, through states that match the descriptions
-/// in `run`; no value if there is none, or if it is not found with little work.
+/// Returns the run of `initial` whose steps have the event names of `run` and whose states match the descriptions in
+/// `run`. No value if there is no such run, or if finding it takes too much work.
 [[nodiscard]] std::optional<WholeRun> whole_run(process::OperationalSemantics& semantics,
                                                 const process::EventTable& events, process::TermId initial,
                                                 const std::string& description, const std::vector<refine::Step>& run,

@@ -108,8 +108,8 @@ void Refinement::mark(StateIndex state) {
     }
 }
 
-/// The block's marked states that are still in it, sorted so that targets of inert taus come first. In a graph whose
-/// tau components are single states with suitable numbers (see minimise), this is the order of their numbers.
+/// Returns the marked states that are still in the block, sorted so that targets of inert taus come first. If tau
+/// components are single states with suitable numbers (see minimise), this is the order of their numbers.
 Refinement::States Refinement::take_dirty(Block block) {
     States states = std::exchange(dirty_[block], {});
     std::erase_if(states, [&](StateIndex state) { return block_[state] != block || !is_dirty_[state]; });
@@ -153,7 +153,7 @@ Signature Refinement::signature_of(StateIndex state, const std::map<StateIndex, 
 }
 
 void Refinement::split(Block block, std::map<Signature, States>& groups, bool clean_states) {
-    // All unmarked states still have the block's signature; they join the group with this signature.
+    // All unmarked states still have the signature of the block. They join the group with this signature.
     States* with_clean = nullptr;
     std::size_t clean = members_[block].size();
     for (const auto& [signature, states] : groups) clean -= states.size();

@@ -46,7 +46,8 @@ struct Exploration {
     StateStore states;  ///< the packed state for every index
 };
 
-/// Breadth first from the initial state. `poll` is called once for each state and may throw to stop.
+/// Explores the system breadth first from the initial state. `poll` is called once for each state and may throw to
+/// stop.
 [[nodiscard]] Exploration explore(TransitionSystem& system, const std::function<void(std::size_t states)>& poll);
 
 /// A graph as a transition system.
@@ -67,11 +68,11 @@ private:
     const EventTable& events_;
 };
 
-/// Aldebaran format as CADP and mCRL2 read it; tau is written "tau", termination "tick".
+/// Writes the Aldebaran format as CADP and mCRL2 read it. Tau is written "tau", and termination "tick".
 void write_aut(const Graph& graph, const EventTable& events, std::ostream& out);
-/// CSPM definitions of `name` and of one process for each state, named `name` followed by the state's number: equal to
-/// the graph in T, F and FD. The channels must be declared. A state with several taus and another event gets an
-/// additional tau before them.
+/// Writes CSPM definitions of `name` and of one process for each state, called `name` followed by the number of the
+/// state. The process is equal to the graph in T, F and FD. The channels must be declared. A state with several taus
+/// and another event gets an additional tau before them.
 void write_csp(const Graph& graph, const EventTable& events, const std::string& name, std::ostream& out);
 /// Graphviz format.
 void write_dot(const Graph& graph, const EventTable& events, std::ostream& out);

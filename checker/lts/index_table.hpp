@@ -28,7 +28,7 @@ public:
         [[nodiscard]] StateIndex get() const { return index().load(std::memory_order_acquire); }
         void set(StateIndex number) const { index().store(number, std::memory_order_relaxed); }
         void prefetch() const { __builtin_prefetch(bucket_, 1); }
-        /// Sets it if its value is still `expected`; otherwise stores the current value in `expected`.
+        /// Replaces the number if it is still `expected`; otherwise stores the current number in `expected`.
         bool replace(StateIndex& expected, StateIndex number) const {
             return index().compare_exchange_strong(expected, number, std::memory_order_acq_rel);
         }
@@ -44,8 +44,8 @@ public:
 
     IndexTable() { reset(1); }
 
-    /// The slot of the number for which `same` is true. If there is none, a free slot; its bucket is null if the table
-    /// is full.
+    /// Returns the slot of the number for which `same` is true. If there is none, returns a free slot, whose bucket is
+    /// null if the table is full.
     template <class Same>
     [[nodiscard]] Slot find(std::uint64_t hash, const Same& same) const {
         Slot slot;
@@ -65,13 +65,13 @@ public:
         return slot;
     }
     [[nodiscard]] static bool has_space(const Slot& slot) { return slot.bucket_ != nullptr; }
-    /// Puts a number into a free slot; no other number may be added in between.
+    /// Stores a number in a free slot. No other number may be added between finding the slot and this call.
     static void put(const Slot& slot, StateIndex index) {
         slot.set(index);
         slot.bucket_->tag(slot.place_, slot.tag_);
         ++slot.bucket_->used;
     }
-    /// Puts a number that is not in the table. False if there is no free slot.
+    /// Adds a number that is not in the table. Returns false if there is no free slot.
     bool add(std::uint64_t hash, StateIndex index) {
         std::uint32_t home = home_of(hash);
         for (std::uint32_t tried = 0; tried < bucket_count_; ++tried) {
@@ -132,14 +132,14 @@ private:
         std::uint32_t last_tags;
         std::uint32_t used;
 
-        /// One bit for each matching tag, of those from `first` on.
+        /// Returns one bit for each matching tag in the places from `first` on.
         [[nodiscard]] std::uint64_t matches(std::uint8_t wanted, std::uint32_t first, std::uint32_t end);
         [[nodiscard]] static std::uint32_t place(std::uint64_t matches) {
             return static_cast<std::uint32_t>(std::countr_zero(matches));
         }
         /// The caller must have exclusive access.
         void tag(std::uint32_t place, std::uint8_t tag);
-        /// The number of used places, after waiting for threads that add one.
+        /// Waits for threads that are adding a number, and returns the number of used places.
         [[nodiscard]] std::uint32_t settled() {
             for (;;) {
                 const std::uint32_t now = std::atomic_ref(used).load(std::memory_order_acquire);

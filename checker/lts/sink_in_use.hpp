@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For systems that pass on the successors of another system.
+// A helper for systems that pass on the successors of another system.
 #pragma once
 
 #include "checker/lts/transition_system.hpp"

@@ -36,17 +36,17 @@ public:
     /// most as many as there are numbers.
     [[nodiscard]] static std::uint64_t most_in(std::uint64_t bytes, std::size_t width, std::uint64_t more = 0);
 
-    // For many states at a time: hash and prefetch one, continue with others, and return to it when its memory has been
+    // To look up many states, hash and prefetch one, continue with others, and return to it when its memory has been
     // loaded.
     [[nodiscard]] static std::uint64_t hash(StateView state);
     void prefetch(std::uint64_t hash) const { table_.prefetch(hash); }
     Insertion insert(StateView state, std::uint64_t hash);
     [[nodiscard]] StateIndex find(StateView state, std::uint64_t hash) const;
 
-    // New states found by several threads at once. Each first gets a claim, a provisional number from `first_claim` on;
-    // claims have the order of the final numbers. Among duplicates, the smallest claim wins. When no thread makes
-    // claims any more, one thread calls `make_space`; then several threads publish the remaining states with their
-    // final numbers, or drop them.
+    // New states that several threads find at the same time. Each state first gets a claim: a provisional number from
+    // `first_claim` on. Claims have the order of the final numbers; among duplicates, the smallest claim wins. When no
+    // thread makes claims any more, one thread calls `make_space`. Then several threads publish the remaining states
+    // with their final numbers, or drop them.
     static constexpr StateIndex most_claims = StateIndex{1} << 27U;
     static constexpr StateIndex first_claim = no_state - most_claims;
     struct Claim {
@@ -78,7 +78,7 @@ public:
         }
         return {index, slot};
     }
-    /// Sets the number of states; those added are published next.
+    /// Sets the number of states. The added states must then be published.
     void make_space(std::uint64_t states);
     void publish(const IndexTable::Slot& slot, StateIndex index, StateView state);
     static void give_up(const IndexTable::Slot& slot) { slot.set(no_state); }

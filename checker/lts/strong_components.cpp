@@ -44,7 +44,7 @@ private:
             if (!known(*target)) ahead_.push_back(*target);
     }
 
-    /// Whether the target of an edge of the path's last vertex has been entered before; then the edge is done.
+    /// If the target of an edge of the path's last vertex has been entered before, processes the edge and returns true.
     bool known(StateIndex to) {
         if (number_[to] == 0) return false;
         Frame& from = path_.back();

@@ -20,10 +20,10 @@ struct GraphView {
 /// Receives the vertices of a component; `cyclic`: it contains an edge. Valid only during the call.
 using OnComponent = std::function<void(std::span<const StateIndex> members, bool cyclic)>;
 
-/// Reports the components that are reachable from the roots, each after those to which its edges lead. The order
-/// depends only on roots and edges. Linear in time, without recursion; calls `successors` once for each vertex, and
-/// stores eight bytes for each vertex and the targets of vertices on the path (Tarjan, Depth-first search and linear
-/// graph algorithms, 1972).
+/// Reports the components that are reachable from the roots, each after the components to which its edges lead. The
+/// order depends only on the roots and edges. Takes linear time, without recursion. Calls `successors` once for each
+/// vertex. Stores eight bytes for each vertex, and the targets of vertices on the path (Tarjan, Depth-first search and
+/// linear graph algorithms, 1972).
 void strong_components(const GraphView& graph, std::span<const StateIndex> roots, const OnComponent& report);
 
 }  // namespace robochart::lts

@@ -26,7 +26,7 @@ void SymmetricSystem::watch(const std::function<void()>& poll) {
 }
 
 void SymmetricSystem::successors(StateView state, SuccessorSink& sink) {
-    // the sink may ask for successors while it receives some
+    // The sink may ask for successors while it receives some.
     if (sink_ != nullptr) {
         const auto other = another();
         other->watch(poll_);

@@ -11,17 +11,17 @@
 
 namespace robochart::lts {
 
-/// States are those of the original system; the representative replaces its images. Transitions have the events that
-/// they have in their source state.
+/// The states are those of the original system. A representative replaces its images as the target of transitions.
+/// Transitions have the events that they have in their source state.
 class SymmetricSystem final : public TransitionSystem, private SuccessorSink {
 public:
-    /// `symmetry`: of the system, or of the one of which it is a reduced form.
+    /// `symmetry`: a symmetry of the system, or of the system that it reduces.
     SymmetricSystem(std::unique_ptr<TransitionSystem> system, Symmetry symmetry);
 
     [[nodiscard]] std::size_t width() const override { return system_->width(); }
     void initial(std::span<Word> state) override;
     void successors(StateView state, SuccessorSink& sink) override;
-    /// Null if the system has no other instance.
+    /// Null if the original system cannot be copied.
     [[nodiscard]] std::unique_ptr<TransitionSystem> another() const override;
     [[nodiscard]] const EventTable& events() const override { return system_->events(); }
     [[nodiscard]] std::string describe(StateView state) const override { return system_->describe(state); }

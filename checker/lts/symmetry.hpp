@@ -31,14 +31,14 @@ struct Replica {
     EventPermutation exchange;       ///< the exchange of events when the first replica and this one are exchanged
 };
 
-/// Replicas each of which can be exchanged with the first one, and hence any two with each other. At least two.
+/// Replicas that can be exchanged with the first one, and therefore with each other. There are at least two.
 using ReplicaSet = std::vector<Replica>;
 
 /// A group of automorphisms: all permutations of replicas within their sets. An automorphism maps each transition of a
 /// state to one of the state's image, with the event's image; tau and tick are their own images.
 class Symmetry {
 public:
-    /// For each set, which replica's place each one takes: replica i gets the state of replica `[i]`.
+    /// Permutations of the replicas, one for each set: replica i gets the state of replica `[i]`.
     using Permutation = std::vector<std::vector<std::size_t>>;
 
     /// The sets must be disjoint.
@@ -47,12 +47,12 @@ public:
     [[nodiscard]] const std::vector<ReplicaSet>& sets() const { return sets_; }
     /// The number of replicas in the largest set; 0 if there are no sets.
     [[nodiscard]] std::size_t replicas() const;
-    /// The least event to which automorphisms map the event: equal for two events if and only if one is an image of the
-    /// other.
+    /// Returns the least event to which automorphisms map the event. The results for two events are equal if and only
+    /// if one event is an image of the other.
     [[nodiscard]] Event orbit(Event event) const;
     /// Replaces a state by the representative of its images.
     void fold(std::span<std::uint32_t> state);
-    /// An automorphism that maps one state to the other. Both must have the same representative; throws
+    /// Returns an automorphism that maps one state to the other. Both must have the same representative; throws
     /// std::logic_error otherwise.
     [[nodiscard]] Permutation between(std::span<const std::uint32_t> from, std::span<const std::uint32_t> to) const;
     /// Replaces a state by its image.

@@ -37,25 +37,26 @@ public:
     [[nodiscard]] virtual std::size_t width() const = 0;
     virtual void initial(std::span<Word> state) = 0;
     virtual void successors(StateView state, SuccessorSink& sink) = 0;
-    /// Another instance of the same system for use in another thread; its states are the same words. Null if this is
-    /// not possible. Several threads may call it at once while no other function is called.
+    /// Returns another instance of the same system for use in another thread; its states are the same words. Returns
+    /// null if this is not possible. Several threads may call this function at the same time, but no other function.
     [[nodiscard]] virtual std::unique_ptr<TransitionSystem> another() const { return nullptr; }
     /// Names of events; systems that are compared share one table.
     [[nodiscard]] virtual const EventTable& events() const = 0;
-    /// `poll` is called regularly during long work inside the system, and may throw to stop it. Empty: none.
+    /// Sets a function that is called regularly during long work inside the system. It may throw to stop the work. It
+    /// may be empty.
     virtual void watch(const std::function<void()>& /*poll*/) {}
-    /// The same process by a slower semantics that shares only the definitions with this one: results of a search are
-    /// replayed there before they are reported. Null: none.
+    /// The same process with a slower semantics that shares only the definitions with this one. Results of a search are
+    /// replayed there before they are reported. Null if there is none.
     [[nodiscard]] TransitionSystem* reference() const { return reference_.get(); }
     void set_reference(std::shared_ptr<TransitionSystem> reference) { reference_ = std::move(reference); }
-    /// The same process with fewer states: its initial state is branching bisimilar with explicit divergence to this
-    /// system's, which preserves every model. It may outlive this system. Null if no reduction is known. `poll` may
-    /// throw to stop.
+    /// Returns the same process with fewer states. Its initial state is branching bisimilar with explicit divergence to
+    /// that of this system, which preserves every model. The result may outlive this system. Null if no reduction is
+    /// known. `poll` may throw to stop.
     [[nodiscard]] virtual std::unique_ptr<ReducedSystem> reduced(const std::function<void()>& /*poll*/) const;
-    /// Equal parts of the states that can be exchanged, in sets: each exchange is an automorphism of the system
+    /// Returns sets of equal parts of the states that can be exchanged. Each exchange is an automorphism of the system
     /// (docs/search.md, "Symmetry"). Empty if none are known. `poll` may throw to stop.
     [[nodiscard]] virtual std::vector<ReplicaSet> replicas(const std::function<void()>& /*poll*/) const { return {}; }
-    /// The number of states that were left out so far because a chain of taus leads on from them.
+    /// The number of states left out so far because a chain of taus leads on from them.
     [[nodiscard]] virtual std::uint64_t chased() const { return 0; }
     /// Whether a state is one word, a process::TermId.
     [[nodiscard]] virtual bool states_are_terms() const { return false; }
@@ -66,11 +67,11 @@ private:
     std::shared_ptr<TransitionSystem> reference_;
 };
 
-/// A system in which some states are represented by others, which a sequence of taus reaches. The states are those of
-/// the original system.
+/// A system in which some states are represented by others that a sequence of taus reaches. The states are those of the
+/// original system.
 class ReducedSystem : public TransitionSystem {
 public:
-    /// The states after `state`, one tau after the other, up to its representative. Empty if it represents itself.
+    /// Returns the states on the path of taus from `state` to its representative. Empty if the state represents itself.
     [[nodiscard]] virtual std::vector<std::vector<Word>> chase(StateView state) = 0;
 };
 

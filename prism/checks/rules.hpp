@@ -27,7 +27,7 @@ extern const diagnostics::Rule no_optimum;
 extern const diagnostics::Rule no_module;
 extern const diagnostics::Rule expands_too_far;
 
-/// All of them, for `explain`.
+/// Returns all rules, for `explain`.
 [[nodiscard]] std::span<const diagnostics::Rule* const> checks();
 
 }  // namespace robochart::prism::rules

@@ -24,7 +24,7 @@ extern const diagnostics::Rule not_exact;
 extern const diagnostics::Rule bad_bound;
 extern const diagnostics::Rule left_out;
 
-/// All of them, for `explain`.
+/// Returns all rules, for `explain`.
 [[nodiscard]] std::span<const diagnostics::Rule* const> explore();
 
 }  // namespace robochart::prism::rules

@@ -18,7 +18,7 @@ extern const diagnostics::Rule given_twice;
 extern const diagnostics::Rule unreadable;
 extern const diagnostics::Rule unclear_operand;
 
-/// All of them, for `explain`.
+/// Returns all rules, for `explain`.
 [[nodiscard]] std::span<const diagnostics::Rule* const> syntax();
 
 }  // namespace robochart::prism::rules

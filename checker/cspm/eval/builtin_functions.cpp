@@ -254,7 +254,7 @@ process::TermId BuiltinFunctions::buffer(const Values& arguments, Span span) {
 
 /// The order of prioritisepo(P, prioritised, pairs, maximal).
 process::RenamingId BuiltinFunctions::partial_order(const Values& arguments, Span span) {
-    // One after the other, because events are numbered in the order of first use.
+    // The arguments are evaluated one after the other, because events are numbered in the order of first use.
     const process::EventSet prioritised = domains_.event_set(arguments[1], span);
     std::vector<process::EventPair> pairs;
     for (const Value pair : domains_.elements(arguments[2], span)) {
@@ -321,7 +321,7 @@ Value BuiltinFunctions::process_builtin(Builtin which, Value builtin, const Valu
             return made(processes_.call(builtin, arguments));
         case Builtin::buffer:
             return made(buffer(arguments, span));
-        // They are terms, so that they can be named and compared; computing their transitions is an error.
+        // Watchdogs are terms, so that they can be named and compared. Computing their transitions is an error.
         case Builtin::failure_watchdog:
         case Builtin::trace_watchdog: {
             process::Term result{Op::compress, compression(which), {processes_.term(arguments[0], span)}, {}};

@@ -8,7 +8,7 @@
 
 namespace robochart::cspm {
 
-/// Has no data; computes with evaluated arguments.
+/// Computes with evaluated arguments. This class has no state.
 class BuiltinFunctions {
 public:
     BuiltinFunctions(const Program& program, ValueStore& store, process::EventTable& events, process::TermStore& terms,

@@ -23,7 +23,7 @@ Value ByNeed::call(Value builtin, Values arguments, Span span) {
     if (!takes_by_need(which)) {
         if ((which == Builtin::inter || which == Builtin::diff) && arguments.size() == 2) {
             const Value first = values_.share(values_.forced(arguments[0]));
-            if (first->kind == Kind::set && first->items.empty()) return first;  // for every second argument
+            if (first->kind == Kind::set && first->items.empty()) return first;  // holds for every second argument
             arguments[0] = first;
         }
         for (Value& argument : arguments) argument = values_.share(values_.force(argument));
@@ -60,7 +60,7 @@ Value ByNeed::sequence_builtin(Builtin which, const Values& arguments, Span span
                 if (part->kind == Kind::thunk && static_cast<const Thunk&>(*part).result != nullptr)
                     part = values_.force(part);
                 if (part->kind != Kind::sequence) {
-                    // It is unevaluated or infinite, and so is everything after it.
+                    // The sequence from here on is unevaluated or infinite.
                     Value rest = store_.sequence({});
                     for (std::size_t k = parts->items.size(); k-- > i + 1;) rest = part_before(parts->items[k], rest);
                     return append(store_.compound(Kind::sequence, 0, std::move(items)), part_before(part, rest));

@@ -136,7 +136,7 @@ Value Evaluator::member(const GroupObject& group, int index, Span span) {
         try {
             value = share(value);
         } catch (const EvaluationError&) {
-            return value;  // a part of it has no value; it is evaluated again when it is needed again
+            return value;  // a part of the value cannot be evaluated; the value is evaluated again when it is needed
         }
     }
     group.known[at] = value;
@@ -168,7 +168,7 @@ Value Evaluator::global(int index, Span span) {
     if (value->shared) return global.known = value;
     try {
         return global.known = share(value);
-    } catch (const EvaluationError&) {  // a part of it has no value; the other parts may suffice
+    } catch (const EvaluationError&) {  // a part of the value cannot be evaluated; the other parts may suffice
     }
     global.lazily_entry = work_.question();
     return global.lazily = value;

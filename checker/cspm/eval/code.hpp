@@ -75,7 +75,7 @@ struct Code {
     const Group* group = nullptr;          ///< let
     TimedSection* timed = nullptr;         ///< inside a timed section
     std::uint32_t number = 0;              ///< prefix: identity
-    mutable std::uint8_t too_long = 0;     ///< how often its value was requested too early and given up (promise)
+    mutable std::uint8_t too_long = 0;     ///< how often its early evaluation was abandoned (see Evaluator)
 };
 
 struct FunctionClause {
@@ -131,7 +131,7 @@ struct Global {
     std::vector<int> heads;                            ///< datatype
     std::vector<std::pair<int, const Code*>> subtype;  ///< head, fields
     Value known = nullptr;
-    Value lazily = nullptr;          ///< the value if a part of it has no value...
+    Value lazily = nullptr;          ///< the value if one of its parts cannot be evaluated...
     std::uint64_t lazily_entry = 0;  ///< ...valid while this query is answered
     bool running = false;
 };

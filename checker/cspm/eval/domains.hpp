@@ -15,7 +15,7 @@
 
 namespace robochart::cspm {
 
-/// Computes with evaluated values; only types in declarations are evaluated here, on first use. Caches elements of
+/// Computes with evaluated values. Only the types in declarations are evaluated here, on first use. Caches elements of
 /// sets, extensions, productions and events.
 class Domains {
 public:
@@ -51,16 +51,17 @@ public:
     Value head_value(int head);
     /// The set that a type expression denotes.
     Value type_set(Value type, Span span);
-    /// base.more: the fields of `more` are appended where `base` lacks fields.
+    /// Returns base.more: appends the fields of `more` to `base`, which lacks them.
     Value combine(Value base, Value more, Span span);
-    /// The fields of `whole` after `part`, innermost first; false if `whole` does not begin with `part`.
+    /// Appends to `out` the fields of `whole` after those of `part`, innermost first. Returns false if `whole` does not
+    /// begin with `part`.
     bool missing(Value whole, Value part, Values& out);
     Value extensions(Value value);
     Value one_field_extensions(Value value);
     Value productions(Value value);
     Value product_of(const Values& sets, Kind kind, Span span);
     Value subtype_set(const Global& global);
-    /// How many events the channels have; largest_size if more, or no end of them.
+    /// The number of events of all channels; largest_size if there are more or infinitely many.
     std::uint64_t number_of_events();
     Value all_events();
     process::Event event(Value value, Span span);

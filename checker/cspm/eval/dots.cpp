@@ -95,7 +95,7 @@ bool Domains::complete(Value value) {
     return value->items.size() - 1 == arity && complete(value->items.back());
 }
 
-// base.more: the fields of `more` are appended where `base` lacks fields.
+// Returns base.more: appends the fields of `more` to `base`, which lacks them.
 Value Domains::combine(Value base, Value more, Span span) {
     if (more->kind != Kind::dot || is_named(more)) return add_field(base, more, span);
     for (const Value item : more->items) base = combine(base, item, span);
@@ -141,7 +141,8 @@ Value Domains::add_field(Value base, Value field, Span span) {
 
 // ---------------------------------------------------------------- extensions
 
-// The fields of `whole` after `part`, innermost first; false if `whole` does not begin with `part`.
+// Appends to `out` the fields of `whole` after those of `part`, innermost first. Returns false if `whole` does not
+// begin with `part`.
 bool Domains::missing(Value whole, Value part, Values& out) {
     if (whole == part) return true;
     if (!is_named(whole) || !is_named(part) || whole->items[0] != part->items[0]) return false;
@@ -160,7 +161,8 @@ bool Domains::missing(Value whole, Value part, Values& out) {
     return true;
 }
 
-// One set for each field that a named dot still lacks; the first completes its last field if necessary.
+// Returns one set for each field that a named dot still lacks. The first set completes the last present field if
+// necessary.
 Values Domains::missing_fields(Value value) {
     const Values& fields = fields_of(head_of(value));
     const std::size_t count = value->items.size() - 1;

@@ -117,7 +117,7 @@ Value Evaluator::force(Value& value) {
     return value;
 }
 
-// An argument that may never be needed. It is evaluated at once if that is cheap and cannot fail.
+// Evaluates an argument at once if that is cheap and cannot fail; otherwise returns a thunk.
 Value Evaluator::delay(const Code& code, Frame& frame) {
     if (code.constant != nullptr) return code.constant;
     if (code.kind == ExprKind::name && code.reference == Reference::local)
@@ -126,8 +126,9 @@ Value Evaluator::delay(const Code& code, Frame& frame) {
     return store_.thunk(code, frame);
 }
 
-// A part that may never be needed, evaluated at once if that takes little work. If the limit is reached, the current
-// evaluations are completed with unevaluated parts; if that takes too long too, the whole part stays unevaluated.
+// Evaluates a part of a value at once if that takes little work, because it may never be needed. If the work limit is
+// reached, the current evaluations are completed with unevaluated parts. If that takes too long too, the whole part
+// stays unevaluated.
 Value Evaluator::promise(const Code& code, Frame& frame) {
     constexpr std::uint8_t often = 3;
     if (code.constant != nullptr) return code.constant;
@@ -138,7 +139,7 @@ Value Evaluator::promise(const Code& code, Frame& frame) {
     const Work::Speculation speculation(work_);
     try {
         return eval(code, frame);
-    } catch (const EvaluationError&) {  // found again when the value is needed
+    } catch (const EvaluationError&) {  // the error occurs again when the value is needed
     } catch (const GivenUp&) {
         if (!speculation.outermost()) throw;
         ++code.too_long;
@@ -146,7 +147,7 @@ Value Evaluator::promise(const Code& code, Frame& frame) {
     return store_.thunk(code, frame);
 }
 
-// The shared object equal to a value: evaluates what the value captures.
+// Returns the shared object that is equal to a value. Evaluates what the value captures.
 Value Evaluator::share(Value value) {
     if (value->shared) return value;
     if (value->kind == Kind::thunk) return share(force(value));
@@ -242,7 +243,7 @@ Value Evaluator::eval_operator(const Code& code, Frame& frame) {
     }
 }
 
-// The right side may stay unevaluated, whether it is finite or not.
+// The right operand may stay unevaluated, even if it is finite.
 Value Evaluator::eval_concat(const Code& code, Frame& frame) {
     const Value left = eval(*code.args[0], frame);
     if (left->kind != Kind::sequence && !is_stream(left))
@@ -398,8 +399,8 @@ Value Evaluator::eval_collection(const Code& code, Frame& frame) {
     return set ? store_.set(std::move(items)) : store_.sequence(std::move(items));
 }
 
-// Evaluates elements at once as long as that succeeds; the rest stays unevaluated, and so does everything if it is
-// infinite.
+// Evaluates elements early while that succeeds; the rest stays unevaluated. If the sequence is infinite, all of it
+// stays unevaluated.
 Value Evaluator::eval_sequence_comprehension(const Code& code, Frame& frame) {
     std::size_t first = 0;
     for (; first < code.clauses.size() && !code.clauses[first].generator; ++first)
@@ -432,7 +433,7 @@ Value Evaluator::eval_sequence_comprehension(const Code& code, Frame& frame) {
     return store_.compound(Kind::sequence, 0, std::move(items));
 }
 
-// The elements that the clauses from the given one on generate.
+// Returns the elements that the clauses from index `clause` on generate.
 Value Evaluator::comprehension_from(const Code& code, std::size_t clause, Frame& frame) {
     if (clause == code.clauses.size()) return store_.compound(Kind::sequence, 0, promise_all(code, frame));
     const ClauseCode& next = code.clauses[clause];

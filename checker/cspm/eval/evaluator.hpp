@@ -62,7 +62,7 @@ public:
     /// `term` with events prioritised as by `:[tau priority]`.
     [[nodiscard]] process::TermId tau_priority(process::TermId term, process::EventSet over);
 
-    /// For whoever evaluates processes in another way (checker/cspm/packed).
+    /// The parts of the evaluator, for code that evaluates processes in another way (checker/cspm/packed).
     struct Parts {
         Program& program;
         ValueStore& store;
@@ -74,26 +74,27 @@ public:
     };
     [[nodiscard]] Parts parts() { return {program_, store_, terms_, work_, domains_, processes_, *process_evaluator_}; }
 
-    // The functions that ProcessEvaluator needs (process_evaluator.hpp); values of variables by slot.
+    // The functions that ProcessEvaluator needs (process_evaluator.hpp). A frame contains the values of variables by
+    // slot.
     using Frame = Values;
     using Use = std::function<void(Frame&)>;
     Value eval(const Code& code, Frame& frame);
     Value eval_name(const Code& code, Frame& frame);
     Value eval_apply(const Code& code, Frame& frame);
-    /// Evaluates the value and replaces the unevaluated one.
+    /// Evaluates the value and replaces the thunk by the result.
     Value force(Value& value);
     Value forced(Value value) { return force(value); }
-    /// The sequence that the clauses of a comprehension generate, from the given one on.
+    /// Returns the sequence that the clauses of a comprehension from index `clause` on generate.
     Value comprehension_from(const Code& code, std::size_t clause, Frame& frame);
-    /// The value with all its parts evaluated.
+    /// Returns the value with all its parts evaluated.
     Value share(Value value);
     bool truth(const Code& code, Frame& frame);
-    /// Calls `use` for everything that the clauses generate, from the given one on.
+    /// Calls `use` for everything that the clauses from index `from` on generate.
     void for_each(const Code& code, const std::vector<ClauseCode>& clauses, std::size_t from, Frame& frame,
                   const Use& use);
     const GroupObject* open_let(const Code& code, Frame& frame);
     Value call(Value function, Values arguments, Span span);
-    /// The clause whose patterns match the arguments; sets its variables in `frame`.
+    /// Returns the clause whose patterns match the arguments. Sets its variables in `frame`.
     const FunctionClause& choose(const Function& function, const Values& environment, Values& arguments, Frame& frame,
                                  Span span);
     bool match(const MatchCode& pattern, Value& value, Frame& frame);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prefixes: one term for each place in the script and values used there; its events are computed on demand.
+// Prefixes. A prefix is one term for each place in the script and each tuple of values used there. Its events are
+// computed on demand.
 #include <algorithm>
 
 #include "checker/cspm/eval/process_evaluator.hpp"

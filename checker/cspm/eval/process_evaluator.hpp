@@ -11,7 +11,7 @@
 
 namespace robochart::cspm {
 
-/// Has no data: values belong to the evaluator, terms to ProcessTerms.
+/// Evaluates processes. Values belong to the evaluator, and terms to ProcessTerms.
 class ProcessEvaluator final : public process::Definitions {
 public:
     /// Data shared with the evaluator of values.

@@ -14,7 +14,7 @@ bool ProcessShape::makes_process(const Function& function) {
     ++open_;
     const bool result = std::ranges::any_of(
         function.clauses, [this](const FunctionClause& clause) { return makes_process(*clause.body); });
-    // A negative answer given while an outer query is open may depend on that query.
+    // A negative answer during an outer query may depend on that query, so it is not stored.
     const bool open = --open_ > 0;
     function.process = result ? std::int8_t{1} : (open ? std::int8_t{-1} : std::int8_t{0});
     return result;

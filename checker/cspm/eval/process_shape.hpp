@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the form of an expression shows that it denotes a process. Such a call or constant becomes a term by name
-// wherever it occurs, so that a process passed as an argument is not evaluated.
+// Decides by the form of an expression whether it denotes a process. Such a call or constant becomes a term by name
+// everywhere, so that a process passed as an argument is not evaluated.
 #pragma once
 
 #include "checker/cspm/eval/code.hpp"

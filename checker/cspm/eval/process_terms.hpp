@@ -13,7 +13,7 @@
 
 namespace robochart::cspm {
 
-/// Stands for every argument that the definition does not read.
+/// Replaces every argument that the definition does not read.
 inline constexpr std::int64_t unread_character = '_';
 
 enum class PrefixKind : std::uint8_t { script = 2, chosen = 3, waiting = 4, stopped = 5, skipping = 6, buffer = 7 };

@@ -63,7 +63,7 @@ TermId ProcessEvaluator::process(const Code& code, Frame& frame) {
     return processes_.term(values_.eval(code, frame), code.span);
 }
 
-// A constant in the place of a process is named and not evaluated, so that recursion stays finite.
+// A constant that occurs as a process becomes a term by name. It is not evaluated, so recursion stays finite.
 TermId ProcessEvaluator::process_name(const Code& code, Frame& frame) {
     if (code.reference == Reference::member) {
         const auto& group = static_cast<const GroupObject&>(*frame[static_cast<std::size_t>(code.slot)]);
@@ -91,8 +91,8 @@ TermId ProcessEvaluator::process_apply(const Code& code, Frame& frame) {
         for (std::size_t i = 1; i < code.args.size(); ++i)
             arguments.push_back(values_.share(values_.eval(*code.args[i], frame)));
     } catch (const EvaluationError&) {
-        // A process is named by its arguments, so they need values; other functions may not need all of their
-        // arguments.
+        // A call of a process is named by its arguments, so they must have values. Other functions may not need all of
+        // their arguments.
         if (shape_.makes_process(definition)) throw;
         return processes_.term(values_.eval_apply(code, frame), code.span);
     }
@@ -230,7 +230,7 @@ TermId ProcessEvaluator::process_replicated(const Code& code, Frame& frame) {
 
 // ---------------------------------------------------------------- renaming and links
 
-// Pairs of events; channels stand for all their events with equal fields.
+// Returns pairs of linked events. A channel represents all its events; the events of a pair have equal fields.
 std::vector<process::EventPair> ProcessEvaluator::ties(const Code& code, const std::vector<ClauseCode>& clauses,
                                                        Frame& frame) {
     std::vector<process::EventPair> result;

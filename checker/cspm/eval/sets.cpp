@@ -131,7 +131,7 @@ bool Domains::can_be_listed(Value set, Span span) {
     return size && *size <= max_elements;
 }
 
-// The union of sets that cannot all be listed.
+// Returns a union of sets of which at least one cannot be listed.
 Value Domains::united(const Values& sets, Span span) {
     Values endless;
     Values listed;
@@ -190,7 +190,7 @@ Value Domains::union_of_all(const Values& sets, Span span) {
     return result == nullptr ? rest : set_union(result, rest, span);
 }
 
-// {from..} without these: the numbers between them and after them.
+// Returns {from..} without the listed numbers: the numbers between them and after them.
 Value Domains::without_listed(std::int64_t from, const Values& taken, Span span) {
     std::int64_t next = from;
     Values between;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sequences that are not written out: <n..>, comprehensions whose elements are unevaluated or infinitely many, and
-// concatenations. They are taken apart element by element, on demand (FDR evaluates sequences lazily).
+// Sequences whose elements are not all stored: <n..>, comprehensions with unevaluated or infinitely many elements, and
+// concatenations. Their elements are computed one by one on demand (FDR evaluates sequences lazily).
 //
-// A stream's items are a sequence that comes first and one from which it continues. Without a comprehension the second
-// follows unchanged; otherwise its elements are those of a generator, followed by the variables around it. `number`
-// distinguishes the cases.
+// A stream has two items: a sequence of known elements and the sequence from which it continues. Without a
+// comprehension the stream continues with the second sequence itself. With a comprehension the second sequence is the
+// source of a generator, and the values of the surrounding variables follow it. `number` distinguishes the cases.
 #include <algorithm>
 
 #include "checker/cspm/eval/by_need.hpp"
@@ -13,7 +13,7 @@
 namespace robochart::cspm {
 namespace {
 
-/// Number of skipped elements after which the search for a suitable one is given up.
+/// The search for a suitable element stops after this many elements.
 constexpr std::size_t most_skipped = 200'000;
 constexpr std::int64_t joined = -1;
 
@@ -125,7 +125,7 @@ Value ByNeed::share_stream(Value value) {
     return store_.make(Kind::stream, value->number, std::move(items));
 }
 
-/// The element is evaluated when it is compared, so not for an empty sequence.
+/// The element is evaluated only when it is compared, so it is not evaluated for an empty sequence.
 bool ByNeed::contains(Value element, Value sequence, Span span) {
     for (std::size_t tried = 0; tried < most_skipped || !is_infinite(sequence); ++tried) {
         const std::optional<Cut> cut = next(sequence, span);

@@ -152,7 +152,8 @@ Value ValueStore::closure(const Function& function, Values items) {
 }
 
 Value ValueStore::compound(Kind kind, std::int64_t number, Values items) {
-    // A finite stream is equal to the sequence of its elements; only Evaluator::share converts it to that.
+    // A finite stream equals the sequence of its elements. Only the evaluator converts it to that sequence, when it
+    // shares the value.
     bool shared = kind != Kind::stream;
     for (Value& item : items) {
         if (item->kind == Kind::thunk && static_cast<const Thunk&>(*item).result != nullptr)

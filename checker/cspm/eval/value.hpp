@@ -48,7 +48,7 @@ enum class Kind : std::uint8_t {
 struct Object {
     Kind kind = Kind::integer;
     bool shared = false;  ///< hash-consed: contains only shared objects, lives as long as the store
-    bool made = false;    ///< shared objects: its place in a set depends on when a process in it was made
+    bool made = false;    ///< shared objects: its position in a set depends on when a process in it was created
     std::uint32_t id = 0;
     std::int64_t number = 0;
     const Function* function = nullptr;
@@ -89,10 +89,10 @@ public:
 
     /// `poll` is called regularly during long work; it may throw to stop it. Empty: none.
     void watch(std::function<void()> poll) { poll_ = std::move(poll); }
-    /// `listed` lists a set if possible. Parts of values are listed, since equality of values is identity: `(Set({1}),
-    /// 1)` and `({{}, {1}}, 1)` are one object.
+    /// `listed` lists a set if possible. Parts of values are listed because equal values must be one object:
+    /// `(Set({1}), 1)` and `({{}, {1}}, 1)` are equal.
     void list_sets_by(std::function<Value(Value)> listed) { listed_ = std::move(listed); }
-    /// The value in the form that it has as a part of another value.
+    /// Returns the value in the form that it has as a part of another value.
     [[nodiscard]] Value part(Value value) const;
 
     [[nodiscard]] Value integer(std::int64_t number);
@@ -103,7 +103,7 @@ public:
     [[nodiscard]] Value text(const std::string& characters);
     /// Sorts the items and removes duplicates.
     [[nodiscard]] Value set(Values items);
-    /// For sorted items that are elements of other sets.
+    /// Creates a set from sorted items that are elements of other sets.
     [[nodiscard]] Value sorted_set(Values items) { return make(Kind::set, 0, std::move(items)); }
     [[nodiscard]] Value dot(Values items) { return make(Kind::dot, 0, std::move(items)); }
     [[nodiscard]] Value make(Kind kind, std::int64_t number, Values items, const Function* function = nullptr,
@@ -119,9 +119,9 @@ public:
     [[nodiscard]] const GroupObject* shared_group(const Group& group, Values items, std::size_t members);
     /// Deletes all temporary objects; none may be in use.
     void release();
-    /// Whether the elements of a set are in an order in which processes were made.
+    /// Whether the order of the elements of some set is the order in which processes were created.
     [[nodiscard]] bool orders_processes() const { return orders_processes_; }
-    /// How many values are kept as long as the store.
+    /// The number of values that live as long as the store.
     [[nodiscard]] std::size_t size() const { return index_.size(); }
 
 private:

@@ -13,12 +13,12 @@ class ValueText {
 public:
     explicit ValueText(const Program& program) : program_(program) {}
 
-    /// For messages: very long text is truncated, and unevaluated parts are left out.
+    /// Returns the text for messages: very long text is truncated, and unevaluated parts are left out.
     [[nodiscard]] std::string operator()(Value value) const;
-    /// For messages, appended.
+    /// Appends a list of values in the form used in messages.
     void items(const Values& values, const char* open, const char* separator, const char* close,
                std::string& out) const;
-    /// The whole text, because the names of events and the results of `show` are data.
+    /// Returns the complete text. It is data, because it is used for names of events and for the results of `show`.
     [[nodiscard]] std::string whole(Value value) const;
 
 private:

@@ -25,7 +25,7 @@ class Work {
 public:
     /// Maximal number of steps for one query of the search.
     static constexpr std::uint64_t max_steps = 2'000'000'000;
-    /// What an evaluation may take of an ordinary stack.
+    /// The number of bytes that an evaluation may use of an ordinary stack.
     static constexpr std::size_t small_stack_bytes = std::size_t{1} << 17U;
 
     Work(const Program& program, ValueStore& store) : text_(program), store_(store) {}
@@ -72,10 +72,10 @@ private:
     unsigned open_ = 0;  // number of open queries
 };
 
-/// A query from outside. Temporary values are deleted when the outermost one has been answered.
+/// A query from outside the evaluator. Temporary values are deleted when the outermost query has been answered.
 class Work::Question {
 public:
-    /// `stack_bytes`: what may be taken of the stack, if the question is the outermost one.
+    /// `stack_bytes`: the number of bytes of the stack that the outermost query may use.
     explicit Question(Work& work, std::size_t stack_bytes = deep_stack_bytes / 4 * 3)
         : work_(work), base_(work.stack_base_), calls_(work.activations_.size()) {
         if (work_.open_++ == 0) {
@@ -115,7 +115,7 @@ private:
     Work& work_;
 };
 
-/// The work limit for a value that is not known to be needed. Nested ones share the outermost one's limit.
+/// The work limit for a value that may not be needed. Nested objects share the limit of the outermost one.
 class Work::Speculation {
 public:
     explicit Speculation(Work& work) : work_(work), outermost_(work.given_up_at_ == no_end) {
@@ -136,8 +136,8 @@ private:
     bool outermost_;
 };
 
-/// Set while something is being evaluated, and reset if an error ends the evaluation. If it is evaluated again, it
-/// fails for the original reason, not because it seems to be defined by itself.
+/// Marks a thunk as being evaluated during its lifetime. The mark is removed even if an error ends the evaluation. A
+/// second evaluation then fails with the original error instead of reporting a value that is defined by itself.
 class Running {
 public:
     explicit Running(bool& flag) : flag_(flag) { flag_ = true; }

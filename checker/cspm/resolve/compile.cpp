@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The resolver's second half: converts expressions and patterns to code.
+// The second half of the resolver. It converts expressions and patterns to code.
 #include <algorithm>
 #include <utility>
 
@@ -82,7 +82,7 @@ const Code* Resolver::literal(const Expr& expr) {
     return &code;
 }
 
-// Clauses bind variables in the frame of the expression that contains them.
+// The clauses bind their variables in the frame of the expression that contains them.
 std::vector<ClauseCode> Resolver::clauses(const std::vector<Clause>& clauses) {
     std::vector<ClauseCode> result;
     for (const Clause& each : clauses) {
@@ -282,7 +282,7 @@ const Code* Resolver::prefix(const Expr& expr, const std::vector<Clause>& offere
     code.args.push_back(compile(expr.args[1]));
     scope_ = outer_scope;
     unit_ = outer_unit;
-    // The variables that the prefix captures from the enclosing frame are known only now; the chain of captures exists.
+    // The variables that the prefix captures from the enclosing frame are known only after its body has been compiled.
     return &code;
 }
 

@@ -155,7 +155,7 @@ void Resolver::clause_of(Function& function, const Decl& decl, Unit* parent, con
         fail("the clauses of '" + function.name + "' take different numbers of arguments", decl.span);
     }
     function.groups = groups;
-    // The variables of a constant's own pattern are not in scope in its body.
+    // The body of a constant does not see the variables of the constant's own pattern.
     if (decl.kind == DeclKind::value) scope_ = outer_scope;
     clause.body = compile(decl.body);
     scope_ = outer_scope;
@@ -178,7 +178,7 @@ void pattern_names(const Pattern& pattern, std::vector<std::string>& out) {
 
 }  // namespace
 
-// Converts (a, b) = (x, y) to a = x and b = y, so that neither waits for the other.
+// Converts (a, b) = (x, y) to a = x and b = y, so that evaluating one variable does not evaluate the other.
 std::vector<DeclPtr> Resolver::split_tuple(const Decl& decl) {
     const Pattern& pattern = *decl.patterns.at(0).at(0);
     const Expr* body = decl.body.get();
@@ -346,7 +346,8 @@ void Resolver::declare_module(const Decl& decl, const Target& target) {
     if (decl.parameters.empty()) fill(module, module.name + "::", target.timed, &new_scope(target.scope));
 }
 
-// The module's declarations: all of them in `inner`, the exported ones also with its name as prefix.
+// Adds the declarations of the module: all of them to `inner`, and the exported ones also to the exports, with the name
+// of the module as prefix.
 void Resolver::fill(Module& module, const std::string& prefix, TimedSection* timed, Scope* inner) {
     declare(module.decl->decls, {inner, nullptr, prefix, timed});
     declare(module.decl->exports, {inner, &module.exported, prefix, timed});
@@ -362,7 +363,7 @@ void Resolver::declare_instance(const Decl& decl, const Target& target) {
     jobs_.push_back([this, &module] { ensure(module); });
 }
 
-// Makes an instance: a copy of its module, in which the parameters are defined as the arguments.
+// Creates an instance: a copy of its module in which the parameters are defined as the arguments.
 void Resolver::ensure(Module& module) {
     if (module.instance == nullptr) return;
     const Decl& decl = *module.instance;

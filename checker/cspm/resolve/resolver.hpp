@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts trees to code: scopes, modules and their instances, names to slots (code.hpp). A module without parameters
-// is part of the script under a longer name; an instance is a copy of its module's declarations, in which the
-// parameters are defined as the arguments.
+// Converts syntax trees to code: resolves scopes, modules and instances, and assigns slots to names (code.hpp). A
+// module without parameters is a part of the script whose names have a prefix. An instance is a copy of the
+// declarations of its module in which the parameters are defined as the arguments.
 #pragma once
 
 #include <deque>
@@ -47,7 +47,7 @@ private:
         const Decl* decl = nullptr;  // the module's own declaration
         Scope* outer = nullptr;      // the scope of that declaration
         Scope exported;
-        const Decl* instance = nullptr;  // set: to be created on first use
+        const Decl* instance = nullptr;  // not null: the instance is created on first use
         Scope* instance_scope = nullptr;
         TimedSection* timed = nullptr;
         std::string name;  // qualified

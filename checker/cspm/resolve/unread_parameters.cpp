@@ -54,7 +54,7 @@ void Reading::read(const Variable& variable) {
     }
 }
 
-/// The definition that an application names, if it gives all its arguments; otherwise null.
+/// Returns the definition that an application calls if the application passes all its arguments; otherwise null.
 const Function* Reading::callee(const Code& code) const {
     if (code.kind != ExprKind::apply || code.args[0]->kind != ExprKind::name) return nullptr;
     const Code& name = *code.args[0];

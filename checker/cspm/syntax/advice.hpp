@@ -11,7 +11,7 @@
 
 namespace robochart::cspm {
 
-/// All rows; the expected text is as in messages: "'else'".
+/// Returns all rows of the table. Expected texts are quoted as in messages: "'else'".
 [[nodiscard]] std::span<const diagnostics::Advice> all_advice();
 
 /// The number of bytes of the non-ASCII letter at the beginning of the text; 0 if there is none.

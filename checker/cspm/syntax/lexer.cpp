@@ -260,7 +260,7 @@ private:
         emit(Tok::identifier, from, plain);
     }
 
-    // Reported once for each name, which is then accepted as a name.
+    // Reports the name once and then accepts it as a name.
     void foreign_name(std::size_t from) {
         const std::string name(text_.substr(from, at_ - from));
         if (!foreign_names_.insert(name).second) return;

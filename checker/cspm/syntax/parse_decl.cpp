@@ -25,7 +25,8 @@ void Parser::newlines() {
     }
 }
 
-// Declarations up to `done`. Errors are caught here, except in a `let`, whose whole declaration is then dropped.
+// Parses declarations until `done` returns true. Errors are caught here, except in a `let`: an error in a `let` drops
+// the whole enclosing declaration.
 std::vector<DeclPtr> Parser::declarations(Place place, bool (Parser::*done)() const) {
     std::vector<DeclPtr> result;
     newlines();
@@ -57,7 +58,7 @@ std::size_t margin(const Token& token, std::size_t most) {
 }
 }  // namespace
 
-// Continues at the next line that begins no further to the right than the malformed declaration.
+// Continues at the next line whose indentation is at most that of the malformed declaration.
 void Parser::recover(Span from, bool (Parser::*done)() const) {
     open_sequences_ = 0;
     const auto first =
@@ -450,7 +451,7 @@ Place timed_inside(Place outer) {
     }
 }
 
-// As in FDR's front end (libcspm, Parser.ppy).
+// The rules are those of FDR's front end (libcspm, Parser.ppy).
 std::string misplaced(DeclKind kind, Place place) {
     const bool asks = kind == DeclKind::assertion || kind == DeclKind::print;
     switch (place) {

@@ -293,7 +293,8 @@ bool ends_operand(Tok kind) {
 
 }  // namespace
 
-// A clause is a generator if `<-` or `:` occurs before its end; up to there, patterns look like expressions.
+// A clause is a generator if `<-` or `:` occurs before its end. The tokens before it must be scanned, because a pattern
+// looks like an expression.
 bool Parser::generator_ahead() const {
     std::vector<bool> open;  // true: a sequence, the only bracket that `>` closes
     Tok previous = Tok::comma;

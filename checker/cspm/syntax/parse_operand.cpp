@@ -249,7 +249,7 @@ ExprPtr Parser::replicated_bracketed(ExprKind kind, Tok close) {
     return finish(std::move(result), from);
 }
 
-// | x:S @ [A] P: its body ends where that of a parallel operator would end.
+// `|| x:S @ [A] P`: the body ends where an operand of a parallel operator would end.
 ExprPtr Parser::alphabetised_replication() {
     const Span from = take().span;
     ExprNode result;

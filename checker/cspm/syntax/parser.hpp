@@ -16,7 +16,7 @@ namespace robochart::cspm {
 
 /// The kind of list that contains a declaration.
 enum class Place { top, module, let, timed, timed_in_module };
-/// The list of a timed section inside this one.
+/// The kind of list inside a timed section that is in a list of this kind.
 [[nodiscard]] Place timed_inside(Place outer);
 /// The place where a declaration of this kind is forbidden: "in a module"; "" if it is allowed.
 [[nodiscard]] std::string misplaced(DeclKind kind, Place place);
@@ -77,9 +77,9 @@ private:
     bool accept(Tok kind);
     const Token& expect(Tok kind);
     [[noreturn]] void fail(std::string_view expected);
-    /// The opening bracket that the expected closing bracket would match; null if there is none.
+    /// Returns the opening bracket that matches the expected closing bracket, or null if there is none.
     [[nodiscard]] const Token* open_bracket(std::string_view expected) const;
-    /// The same if the caller knows the probable meaning, and the part of the text that shows it.
+    /// The same with advice about the probable meaning. `about` is the part of the text that shows it.
     [[noreturn]] void fail(std::string_view expected, std::string_view advice, Span about);
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
     [[nodiscard]] Span since(Span from) const;

@@ -27,7 +27,7 @@ namespace {
 // Replaces `include` lines by the declarations of the included files.
 class Includer {
 public:
-    // Files that each include others several times make a script exponentially long.
+    // Limits the nesting of includes. If each file includes others several times, a script becomes exponentially long.
     static constexpr std::size_t max_open = 200;
     static constexpr std::size_t max_files = 10000;
 

@@ -20,7 +20,7 @@ namespace robochart::cspm {
 
 /// Adds the text of a file to the sources. On failure returns no value and sets `error` to a description of the cause.
 using Loader = std::function<std::optional<diagnostics::SourceId>(const std::string& path, std::string& error)>;
-/// The same if the texts of some files are not those on disk.
+/// The same with other texts for some files than those on disk.
 [[nodiscard]] Script read_file(diagnostics::SourceManager&, const std::string& path, diagnostics::Diagnostics&,
                                const Loader& load);
 
@@ -28,7 +28,7 @@ using Loader = std::function<std::optional<diagnostics::SourceId>(const std::str
 /// to about 110 columns.
 [[nodiscard]] std::string print(const Script&);
 [[nodiscard]] std::string print(const ExprPtr&);
-/// Without its comment, and without a final line end.
+/// Prints a declaration without its comment and without a final line end.
 [[nodiscard]] std::string print(const Decl&);
 
 }  // namespace robochart::cspm

@@ -12,11 +12,11 @@
 
 namespace robochart::cspm {
 
-/// New names by old ones.
+/// Maps old names to new names.
 using NewNames = std::map<std::string, std::string>;
 
-/// The declarations with the new names; in a qualified name `A::b`, the first part may be renamed. The same objects if
-/// there are no new names.
+/// Returns the declarations with the new names. In a qualified name `A::b`, the first part may be renamed. Returns the
+/// same objects if there are no new names.
 [[nodiscard]] std::vector<DeclPtr> renamed(const std::vector<DeclPtr>& decls, const NewNames& names);
 
 /// New names for plain names, and for the parts of qualified ones. A name after one of `modules`, which are declared in

@@ -27,7 +27,7 @@ extern const diagnostics::Rule include_failed;
 extern const diagnostics::Rule include_cycle;
 extern const diagnostics::Rule arrow_comment;
 
-/// All of them, for `explain`.
+/// Returns all rules, for `explain`.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();
 
 }  // namespace robochart::cspm::rules

@@ -33,11 +33,11 @@ struct BuiltinName {
 };
 
 [[nodiscard]] std::span<const BuiltinName> builtin_names();
-/// Null if there is none with that name.
+/// Returns null if there is no built-in with that name.
 [[nodiscard]] const BuiltinName* find_builtin(std::string_view name);
 [[nodiscard]] const BuiltinName& builtin_name(Builtin builtin);
 
-/// Whether it evaluates its arguments only as far as it needs them.
+/// Whether the built-in evaluates its arguments only as far as it needs them.
 [[nodiscard]] inline bool takes_by_need(Builtin which) {
     return (which >= Builtin::length && which <= Builtin::elem) ||
            (which >= Builtin::map_from_list && which <= Builtin::map_delete);

@@ -7,7 +7,7 @@
 
 namespace robochart::cspm::types {
 
-// The type after all arguments have been applied.
+// Returns the result type after all arguments have been applied.
 TypeId Unifier::ultimate(TypeId type) {
     Parts ignored;
     return store_.split(type, ignored);
@@ -36,7 +36,7 @@ TypeId Unifier::evaluate_dots(TypeId type) {
 
 namespace {
 
-// Replaces the first two parts by one.
+// Replaces the first two parts by one type.
 std::vector<TypeId> joined(TypeId first, const std::vector<TypeId>& parts) {
     std::vector<TypeId> result{first};
     result.insert(result.end(), parts.begin() + 2, parts.end());
@@ -134,7 +134,7 @@ Unifier::Parts Unifier::take_left(Parts a, const Parts& b) {
     const TypeId yielded = store_.argument(first, 1);
     const TypeKind given = store_.node(next).kind;
     if (given == TypeKind::variable && a.size() == 2 && !is(wanted, TypeKind::dotable)) {
-        // The variable stands for all the arguments, and for the parts of b after their result.
+        // The variable represents all the arguments and the parts of b after their result.
         Parts all;
         const TypeId end = store_.split(first, all);
         Parts rest = evaluate(b, Match::longest);

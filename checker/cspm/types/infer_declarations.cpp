@@ -43,7 +43,7 @@ void Inference::fail_group(const Group& group, TypeFault fault) {
 
 namespace {
 
-// A module of the group from which an instance in the group is made.
+// Returns a module of the group from which an instance in the same group is created.
 const Declaration* cyclic_instance(const std::vector<Declaration*>& group) {
     for (const Declaration* each : group) {
         if (each->kind != DeclKind::instance || each->module->original == nullptr) continue;
@@ -74,8 +74,8 @@ void Inference::check_group(Group group, ListKind kind) {
     for (const Declaration* each : group) check_fields_known(*each, kind);
 }
 
-// Whether values of a datatype can be compared depends on its fields, whose types may include that datatype: it is
-// assumed first, and the assumption is dropped if it fails.
+// Whether values of a datatype can be compared depends on its fields, whose types may include that datatype. The
+// inference first assumes that they can be compared, and drops the assumption if this fails.
 void Inference::check_datatypes_with(const Group& group, ListKind kind) {
     const auto set_comparable = [&](bool value) {
         for (const Declaration* each : group) {
@@ -225,7 +225,8 @@ TypeId function_type(TypeStore& store, const std::vector<std::vector<TypeId>>& g
 
 }  // namespace
 
-// The patterns are checked twice: what the body reveals about a variable may let a dotted pattern match more.
+// Checks the patterns twice, because the body may determine the type of a variable, and a dotted pattern may then match
+// more.
 TypeId Inference::equation(const EquationTerm& equation) {
     std::vector<std::vector<TypeId>> groups;
     const auto patterns = [&] {
@@ -287,7 +288,7 @@ void Inference::check_value(const Declaration& declaration) {
     terms_.at(declaration.pattern.syntax->span);
     left = unifier_.evaluate_dots(left);
     right = unifier_.evaluate_dots(right);
-    // As for the arguments of a function: c.x splits an event only if c is a channel.
+    // As for arguments of functions, c.x splits an event only if c is a channel.
     const bool splits = store_.kind(left) == TypeKind::dot;
     (void)(splits ? unifier_.unify_one_way(left, right) : unifier_.unify_one_way(right, left));
 }
@@ -308,7 +309,7 @@ void Inference::check_nametype(const Declaration& declaration) {
 
 // ---------------------------------------------------------------- channels and datatypes
 
-// The type of the elements that a written type denotes: of sets, and of tuples and dots of sets.
+// Returns the type of the elements that a written type denotes. The type may be a set, or a tuple or dot of sets.
 TypeId Inference::element(TypeId type) {
     const TypeStore::Depth guard(store_);
     type = store_.head(type);

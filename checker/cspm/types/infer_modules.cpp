@@ -74,7 +74,7 @@ void Inference::copy_types(const Declaration& instance, std::vector<std::pair<Ty
     }
 }
 
-// As for datatypes of the script: assumed comparable, until a constructor's fields are not.
+// A datatype is assumed to be comparable until the fields of a constructor are not, as for datatypes of the script.
 void Inference::find_comparable(const Declaration& instance) {
     for (const Copy& each : instance.copies) {
         if (each.copy->kind == SymbolKind::datatype) store_.set_comparable(each.copy->datatype, true);

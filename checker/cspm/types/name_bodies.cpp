@@ -67,7 +67,7 @@ void NameResolver::let(const Expr& expr, Term& term) {
 
 namespace {
 
-// The number of parts of p ^ q ^ r that may have any length.
+// Returns the number of parts of p ^ q ^ r whose length is not fixed.
 std::size_t open_parts(const Pattern& pattern) {
     if (pattern.kind == PatternKind::sequence || pattern.kind == PatternKind::string) return 0;
     if (pattern.kind != PatternKind::concat) return 1;

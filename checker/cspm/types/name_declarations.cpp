@@ -263,7 +263,7 @@ void NameResolver::add_imports(const Item& item) {
             if (!line.empty() && line != "timed") {
                 finding.notes.push_back({decl.span, "'" + name + "' is " + std::string(line)});
             }
-            // Prevents further findings for its uses.
+            // The symbol prevents further findings for uses of the name.
             symbol = &new_symbol(name, decl.span, SymbolKind::variable);
             symbol->failed = true;
         }

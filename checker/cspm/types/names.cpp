@@ -89,7 +89,7 @@ NameResolver::Lookup NameResolver::find_inside(const Module& module, std::string
 
 namespace {
 
-/// Names in other spellings and notations of what CSPM predefines.
+/// Returns the predefined CSPM name for a name in another spelling or notation.
 std::string_view predefined_for(std::string_view name) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 14> rows = {{{"int", "Int"},
                                                                                      {"integer", "Int"},
@@ -118,7 +118,7 @@ std::vector<std::string> members_of(const Module& module, std::string_view prefi
 
 }  // namespace
 
-/// The qualified name if the module in front of it was omitted.
+/// Returns the qualified name if the user omitted the name of the module.
 std::string NameResolver::in_a_module(std::string_view name) {
     for (const Scope* scope = scope_; scope != nullptr; scope = scope->parent)
         for (const auto& [known, entry] : scope->names) {
@@ -129,8 +129,8 @@ std::string NameResolver::in_a_module(std::string_view name) {
     return "";
 }
 
-/// For a qualified name: its last part if that is known unqualified, a member that extends it (the channel `moveCall`
-/// for `move`), or the most similar member.
+/// Suggests a correction for a qualified name: its last part if that is known unqualified, a member that extends it
+/// (the channel `moveCall` for `move`), or the most similar member.
 std::string NameResolver::member_suggestion(std::string_view name) {
     const std::size_t colons = name.rfind("::");
     if (colons == std::string_view::npos) return "";
@@ -148,8 +148,8 @@ std::string NameResolver::member_suggestion(std::string_view name) {
     return longer.empty() ? diagnostics::nearest(name, members) : longer;
 }
 
-// A name with the same spelling in a module, otherwise the most similar name in scope: locals, members, predefined
-// ones.
+// Suggests a name with the same spelling in a module, otherwise the most similar name in scope: a local, a member or a
+// predefined name.
 std::string NameResolver::suggestion(std::string_view name) {
     if (const std::string_view own = predefined_for(name); !own.empty()) return std::string(own);
     if (std::string member = member_suggestion(name); !member.empty()) return member;

@@ -37,7 +37,7 @@ extern const diagnostics::Rule print_ill_typed;
 extern const diagnostics::Rule bad_pattern;
 extern const diagnostics::Rule not_timed;
 
-/// All of them, for `explain`.
+/// Returns all rules, for `explain`.
 [[nodiscard]] std::span<const diagnostics::Rule* const> all();
 
 }  // namespace robochart::cspm::types::rules

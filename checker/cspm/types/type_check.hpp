@@ -34,7 +34,7 @@ struct NameUse {
     std::size_t name = 0;  ///< index into `NameTable::names`
 };
 
-/// The declaration of each name in a script, by place: for editors.
+/// Maps places in a script to declarations of names, for editors.
 struct NameTable {
     std::vector<KnownName> names;
     std::vector<NameUse> uses;  ///< sorted by place

@@ -139,7 +139,7 @@ TypeId Unifier::unify_arguments(TypeId a, TypeId b) {
 
 // ---------------------------------------------------------------- dotted types
 
-// Both need arguments. If the result of one is still extendable, it takes the other's further arguments.
+// Both types need arguments. If the result of one is still extendable, it takes the remaining arguments of the other.
 TypeId Unifier::unify_dotables(TypeId a, TypeId b) {
     Parts left;
     Parts right;
@@ -213,7 +213,7 @@ void Unifier::set_arguments(TypeId variable, TypeId arguments) {
     store_.bind(variable, arguments);
 }
 
-// At least one is an extendable; the other is not a dotted value.
+// At least one of the types is an extendable; the other is not a dotted value.
 TypeId Unifier::unify_extendable(TypeId a, TypeId b) {
     const bool left = store_.node(a).kind == TypeKind::extendable;
     const TypeId open = left ? a : b;
@@ -244,7 +244,8 @@ TypeId Unifier::unify_extendable(TypeId a, TypeId b) {
 
 // ---------------------------------------------------------------- findings
 
-// Dots that can be evaluated are printed evaluated; variables bound by this do not matter any more.
+// Returns the type for a message: dots that can be evaluated are evaluated. This may bind variables, which is harmless
+// after an error.
 TypeId Unifier::displayed(TypeId type) {
     if (failing_) return type;
     failing_ = true;

@@ -12,7 +12,7 @@
 
 namespace robochart::cspm::types {
 
-/// A finding, thrown to the declaration that contains it.
+/// A finding. It is thrown and caught by the declaration that contains the error.
 struct TypeFault {
     const diagnostics::Rule* rule = nullptr;
     std::vector<std::string> arguments;
@@ -25,18 +25,18 @@ public:
     /// `here`: the place for findings, which the owner updates.
     Unifier(TypeStore& store, const diagnostics::Span& here) : store_(store), here_(here) {}
 
-    /// Makes both equal and returns the result; throws a TypeFault.
+    /// Makes both types equal and returns the result. Throws TypeFault.
     TypeId unify(TypeId expected, TypeId actual);
-    /// The same if a dotted value must not be taken apart: patterns and arguments.
+    /// The same for patterns and arguments, where a dotted value must not be split.
     TypeId unify_one_way(TypeId expected, TypeId actual);
-    /// Makes a type satisfy a constraint; throws a TypeFault.
+    /// Makes a type satisfy a constraint. Throws TypeFault.
     void constrain(Constraint constraint, TypeId type);
     void constrain_all(Constraints constraints, TypeId type);
     /// Applies every head of a dotted type inside `type` to the following parts.
     TypeId evaluate_dots(TypeId type);
 
     TypeId instantiate(const Scheme& scheme);
-    /// A copy of a type in which variables and datatypes are replaced; both lists must be sorted.
+    /// Returns a copy of a type in which variables and datatypes are replaced. Both lists must be sorted.
     TypeId copy(TypeId type, const std::vector<std::pair<TypeId, TypeId>>& variables,
                 const std::vector<std::pair<std::uint32_t, std::uint32_t>>& datatypes);
 
