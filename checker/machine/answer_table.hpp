@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results of confluence proofs: numbers by query and by the states of the query. Open addressing with linear probing
-// (Knuth, The Art of Computer Programming 3, section 6.4): a search makes several queries for each state, and one
-// look-up usually reads one line of memory.
+// A cache of the results of confluence proofs. The key is a query and the states of the components in it. Open
+// addressing with linear probing (Knuth, The Art of Computer Programming 3, section 6.4): a search makes several
+// queries for each state, and one look-up usually reads one line of memory.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ private:
     };
     static constexpr std::size_t least = 1024;  ///< number of entries; always a power of two
 
-    /// The index of the entry, or of the free one where it belongs. At least a quarter of the entries is free.
+    /// Returns the index of the entry, or of a free entry for the key. At least a quarter of the entries is free.
     [[nodiscard]] std::size_t place(std::uint32_t asked, std::uint64_t key) const {
         const std::size_t mask = entries_.size() - 1;
         std::size_t at = hash(asked, key) & mask;

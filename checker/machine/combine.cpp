@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts the operators of a skeleton to rules over its components. Each operator converts the vectors of its operands
-// (which components perform which events, and the resulting event) to its own vectors. The firing rules are stated in
-// process/firing_rules.cpp and composition_rules.cpp; here each is one clause of `vectors`.
+// Converts the operators of a skeleton to rules over its components. A vector states which components perform which
+// events, and the resulting event. Each operator converts the vectors of its operands to its own vectors, in one
+// function. The firing rules are stated in process/firing_rules.cpp and composition_rules.cpp.
 #include <algorithm>
 #include <bit>
 #include <map>
@@ -32,7 +32,7 @@ struct Vector {
 };
 using Vectors = std::vector<Vector>;
 
-/// Orders by actions whose assignments a region contains. Most rules share their assignments with others.
+/// Orders actions. Most rules share their assignments with other rules.
 struct LessActions {
     bool operator()(const Actions* a, const Actions* b) const { return *a < *b; }
 };
@@ -100,9 +100,10 @@ void Combiner::charge(std::size_t vectors) {
     charge_work(vectors);
 }
 
-/// Counts parts, actions and assignments: with deeply nested operators a rule can have one of them for each operator.
+/// Counts parts, actions and assignments. With deeply nested operators a rule can contain one of them for each
+/// operator.
 void Combiner::charge_work(std::size_t steps) const {
-    constexpr std::size_t worth = 20;  // work that a rule may take
+    constexpr std::size_t worth = 20;  // work allowed for each rule
     constexpr std::size_t between_polls = 1024;
     const std::size_t before = work_;
     work_ += steps;
@@ -110,7 +111,7 @@ void Combiner::charge_work(std::size_t steps) const {
     if (work_ > worth * most_rules_) throw NotCompiled("the rules are too large");
 }
 
-/// The first action: a later action of the vector may restart components that are turned off here.
+/// The actions come first, because a later action of the vector may restart components that they turn off.
 void Combiner::prepend(Vector& vector, const Actions& first) {
     vector.actions.insert(vector.actions.begin(), first.begin(), first.end());
 }
@@ -175,7 +176,7 @@ Vectors Combiner::operator_vectors(const Node& node, Region& region) {
     }
 }
 
-/// All combinations of vectors with this event, one vector of each operand.
+/// Adds all combinations of vectors with this event, one vector of each operand.
 void Combiner::together(std::vector<const Vectors*> who, Event event, Vectors& out) {
     Vectors open{Vector{event, event, {}, {}}};
     for (const Vectors* each : who) {
@@ -205,7 +206,7 @@ EventSet events_of(const Vectors& vectors) {
     return events;
 }
 
-// P [|A|] Q: an event of A, and tick, by all together; any other event by one operand.
+// P [|A|] Q: all operands together perform an event of A or tick. One operand performs any other event.
 Vectors Combiner::parallel(const Node& node, std::vector<Vectors> operands) {
     const process::SetId set{terms_[node.term].payload};
     const auto joint = [&](Event event) { return event == tick || (event != tau && terms_.contains(set, event)); };
@@ -230,7 +231,8 @@ Vectors Combiner::parallel(const Node& node, std::vector<Vectors> operands) {
     return result;
 }
 
-// Alphabetised parallel: an event by all operands whose alphabet contains it; tau by one operand; tick by all.
+// Alphabetised parallel: all operands whose alphabet contains an event perform it together. One operand performs a tau,
+// and all operands perform tick.
 Vectors Combiner::alphabetised(const Node& node, std::vector<Vectors> operands) {
     const Term& term = terms_[node.term];
     Vectors result;
@@ -353,7 +355,7 @@ void Combiner::turn_off(NodeId id, std::vector<Assignment>& made) const {
         made.push_back({slot, static_cast<Local>(result_.components[slot]->size())});
 }
 
-/// The first states below a node; operands that start later are off.
+/// Puts the components below a node into their first states. Operands that start later are off.
 void Combiner::initialise(NodeId id, std::vector<Assignment>& made) const {
     const Node& node = skeleton_.nodes[id];
     charge_work(1);
@@ -370,7 +372,7 @@ void Combiner::initialise(NodeId id, std::vector<Assignment>& made) const {
         i < running ? initialise(node.children[i], made) : turn_off(node.children[i], made);
 }
 
-/// By slot; if several assign to one slot, the last one.
+/// Returns the assignments, sorted by slot. If several actions assign to one slot, the last one counts.
 std::vector<Assignment> Combiner::assignments(const Actions& actions) const {
     std::vector<Assignment> made;
     for (const Action& action : actions) action.start ? initialise(action.node, made) : turn_off(action.node, made);
@@ -381,8 +383,8 @@ std::vector<Assignment> Combiner::assignments(const Actions& actions) const {
     return made;
 }
 
-/// For each participant and event, the fraction of its states in which it can perform the event; for inner regions,
-/// their estimate.
+/// Returns, for each participant and event, the fraction of the participant's states in which it can perform the event.
+/// For inner regions it is an estimate.
 std::vector<std::vector<double>> Combiner::chances(const Region& region) const {
     std::vector<std::vector<double>> result;
     for (std::size_t who = 0; who < region.participants.size(); ++who) {
@@ -466,7 +468,7 @@ void Combiner::list_operands() {
     operands.erase(std::unique(operands.begin(), operands.end(), same), operands.end());
 }
 
-/// Places components next to each other in words of 32 bits; none crosses a word boundary.
+/// Places components next to each other in words of 32 bits. No component crosses a word boundary.
 void Combiner::pack() {
     std::vector<bool> may_be_off(result_.components.size(), false);
     const auto note = [&](std::uint32_t slot, Local value) {

@@ -79,12 +79,12 @@ private:
     ExplicitMachine found_;
 };
 
-/// Number of prefixes that are taken apart without a test of whether this pays off.
+/// Prefixes up to this number are split without a test of whether this pays off.
 constexpr std::size_t few_prefixes = 16;
-/// A process with fewer states that needs many components is not taken apart.
+/// A process with fewer states that needs many components becomes one component.
 constexpr std::size_t few_states = 1000;
 
-/// The machine for compressions, which ignore the names of hidden events.
+/// Returns the machine without the names of hidden events, which compressions ignore.
 process::Machine without_names(const ExplicitMachine& explicit_machine) {
     process::Machine machine{{}, explicit_machine.meaning};
     for (const auto& row : explicit_machine.rows) {
@@ -96,7 +96,7 @@ process::Machine without_names(const ExplicitMachine& explicit_machine) {
     return machine;
 }
 
-/// For each component: which of its events occur in a rule.
+/// Returns, for each component, which of its events occur in a rule.
 std::vector<std::vector<bool>> used_events(const Supercombinator& combined) {
     std::vector<std::vector<bool>> used;
     for (const ComponentPtr& component : combined.components) used.emplace_back(component->alphabet().size(), false);
@@ -162,7 +162,7 @@ bool Compiler::is_small(TermId term, const std::function<void()>& poll) {
     }
 }
 
-/// One state with a loop for every first event of the operator (see combine.cpp, gated).
+/// Returns a component with one state and a loop for every first event of the operator (see gates in combine.cpp).
 ComponentPtr Compiler::gate(const Node& node) const {
     process::TermStore& terms = semantics_.terms();
     std::vector<Component::RawEdge> row;
@@ -190,8 +190,8 @@ std::vector<ComponentPtr> Compiler::components(const Skeleton& skeleton, const s
     return result;
 }
 
-/// The skeleton without the compressions that turn out to be too large: each compression is tried before its term
-/// becomes a component.
+/// Builds the skeleton, and leaves out compressions that turn out to be too large. Each compression is tried before its
+/// term becomes a component.
 std::optional<Skeleton> Compiler::skeleton(TermId term, const std::set<TermId>& leaves,
                                            const std::function<void()>& poll) {
     constexpr int deepest_call = 100;
@@ -211,7 +211,7 @@ std::optional<Skeleton> Compiler::skeleton(TermId term, const std::set<TermId>& 
     }
 }
 
-/// The inner prioritised processes, outermost first, whose components together have few states.
+/// Returns the inner prioritised processes, outermost first, whose components together have few states.
 std::set<TermId> Compiler::small_regions(const Skeleton& skeleton, const std::vector<ComponentPtr>& components) const {
     std::set<TermId> result;
     for (const Node& node : skeleton.nodes) {
@@ -225,7 +225,7 @@ std::set<TermId> Compiler::small_regions(const Skeleton& skeleton, const std::ve
     return result;
 }
 
-/// A whole compiled process as one component.
+/// Explores a whole compiled process and returns it as one component.
 ComponentPtr Compiler::region(TermId term, const std::function<void()>& poll) {
     if (const auto known = components_.find(term); known != components_.end()) return known->second;
     const auto system = compile(term, poll);

@@ -25,23 +25,23 @@ struct Bounds {
     /// Components up to this size are minimised by strong bisimilarity, which preserves every model (FDR does the
     /// same).
     std::size_t minimised_states = 50'000;
-    /// An inner prioritise whose components together have fewer states than this is explored to one component: it does
+    /// An inner prioritise is explored to one component if its components together have fewer states than this. It does
     /// not offer most events of its operand, and otherwise every state of the whole process would repeat this
     /// computation.
     std::size_t region_states = 100'000;
-    /// A compression whose operand has more states (without those that confluent taus leave, if the compression allows
-    /// this) is left out: the process runs without it.
+    /// A compression is left out if its operand has more states than this, and the process then runs without it. States
+    /// that confluent taus leave do not count if the compression allows it.
     std::size_t compressed_states = 2'000'000;
 };
 
-/// Stores the components of one store's terms, so that equal ones are explored once.
+/// Compiles terms of one store. Stores their components, so that equal terms are explored once.
 class Compiler {
 public:
     explicit Compiler(process::OperationalSemantics& semantics, const Bounds& bounds = {});
 
-    /// The compiled process. Null in these cases: there is no parallel operator to take apart, or only after many
-    /// events and with few states in all; a component has too many states or cannot be explored on its own (an
-    /// evaluation error that the whole process may never reach); or there are too many rules. `poll` is called
+    /// Returns the compiled process. Returns null in these cases: there is no parallel operator to compile, or only
+    /// after many events and with few states in all; a component has too many states or cannot be explored separately
+    /// (an evaluation error that the whole process may never reach); or there are too many rules. `poll` is called
     /// regularly and may throw process::Interrupted, which is passed on.
     [[nodiscard]] std::unique_ptr<SupercombinatorSystem> compile(TermId term, const std::function<void()>& poll);
     /// The current or last exploration; for progress and for the description of a limit.
@@ -51,8 +51,8 @@ public:
         std::size_t states = 0;          ///< states of this component so far
     };
     [[nodiscard]] const Stage& stage() const { return stage_; }
-    /// A machine that is equal to the compiled process up to the equivalence: with all of its states, or only those
-    /// that remain after confluent taus (reduced_system.hpp). No value if compile returns null. Throws
+    /// Returns a machine that is equal to the compiled process up to the equivalence. It has all states, or only those
+    /// that remain after confluent taus (reduced_system.hpp). No value if the process cannot be compiled. Throws
     /// process::TooManyStates.
     [[nodiscard]] std::optional<process::Machine> explore(TermId term, lts::Equivalence up_to,
                                                           const std::function<void()>& poll);
@@ -76,8 +76,8 @@ private:
     Stage stage_;
 };
 
-/// Compresses what the compiler has explored. The semantics needs its compressor before the compiler can have the
-/// semantics, so `use` connects them.
+/// Compresses machines that the compiler has explored. The semantics needs its compressor before the compiler can have
+/// the semantics, so the compiler is set afterwards.
 class MachineCompressor final : public process::Compressor {
 public:
     void use(Compiler& compiler) { compiler_ = &compiler; }

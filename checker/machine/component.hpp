@@ -36,7 +36,7 @@ public:
         Event revealed;
         Local target;
     };
-    /// `rows`: by state, its edges ordered by event. `meaning`: by state, a term that it represents.
+    /// `rows`: for each state, its edges ordered by event. `meaning`: for each state, a term that it represents.
     Component(const std::vector<std::vector<RawEdge>>& rows, std::vector<TermId> meaning);
 
     [[nodiscard]] std::size_t size() const { return meaning_.size(); }

@@ -47,7 +47,8 @@ public:
     [[nodiscard]] const std::vector<Colour>& events() const { return events_; }
 
 private:
-    /// The new colour depends on the old one and on those of all edges around, independently of their order.
+    /// The new colour of a state depends on its old colour and on the colours of all adjacent edges, independently of
+    /// their order.
     void round() {
         std::vector<Colour> states = states_;
         std::vector<Colour> events = events_;

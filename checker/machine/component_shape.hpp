@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A numbering of a component's states and events that depends on its graph and not on their names: a proposal for a
+// Numbers the states and events of a component by its graph, independently of their names. The numbering proposes a
 // mapping between two components. Colour refinement (Weisfeiler and Leman, 1968) orders events; a search from the
 // initial state in that order numbers the states.
 #pragma once
@@ -20,9 +20,9 @@ struct ComponentShape {
     std::uint64_t hash = 0;
 };
 
-/// `role`: by index in the alphabet, a number that must be equal for events that are mapped to each other. Events that
-/// the graph does not distinguish are in the order of `names`. Empty vectors if some state is not reachable from the
-/// first. `poll` may throw to stop.
+/// `role`: for each index in the alphabet, a number that must be equal for events that are mapped to each other. Events
+/// that the graph does not distinguish are in the order of `names`. Returns empty vectors if some state is not
+/// reachable from the first. `poll` may throw to stop.
 [[nodiscard]] ComponentShape shape_of(const Component& component, const std::vector<std::uint64_t>& role,
                                       const lts::EventTable& names, const std::function<void()>& poll);
 

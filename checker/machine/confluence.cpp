@@ -16,7 +16,7 @@ constexpr std::size_t most_together = 500;
 /// Maximal number of components that a proof may track in addition to the rule's parts.
 constexpr std::size_t most_beside = 4;
 
-/// Answers that are not the number of a next query.
+/// Answers that are not the number of another query.
 constexpr std::uint32_t no = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t yes = no - 1;
 
@@ -52,7 +52,7 @@ void Confluence::count_offers() {
     }
 }
 
-/// Condition 1. A rule is listed at the component that can perform its part in the fewest of its states.
+/// Condition 1. Each rule is listed at one component: the one that can perform its part in the fewest states.
 void Confluence::list_tau_rules() {
     const auto share = [&](const Part& part) { return share_[part.slot][*part.event]; };
     for (RuleNumber number = 0; number < rules_->rules.size(); ++number) {
@@ -123,8 +123,8 @@ std::uint64_t Confluence::key(const Tracked& tracked, Locals state) {
     return result;
 }
 
-/// The number of the set that tracks these components for the rule, or of its replacement in the plan; `no` if there is
-/// none, or if their states are too many for keys.
+/// Returns the number of the set that tracks these components for the rule, or of its replacement in the plan. Returns
+/// `no` if there is none, or if the states are too many for keys.
 std::uint32_t Confluence::tracking(RuleNumber rule, Slots slots) {
     const auto [known, fresh] = numbers_.try_emplace({rule, std::move(slots)}, no);
     if (!fresh) return known->second;
@@ -153,7 +153,7 @@ std::uint32_t Confluence::made(RuleNumber rule, Slots slots) {
 
 namespace {
 
-/// The work of proofs, in the unit of `work_of_a_state`.
+/// Returns the work of the proofs, in the unit of `work_of_a_state`.
 double work(const ProofRecord::Sum& sum) {
     constexpr double of_a_state = 4;  // in addition to its rules
     return static_cast<double>(sum.rules) + of_a_state * static_cast<double>(sum.looked);
@@ -164,7 +164,7 @@ bool known_well(const ProofRecord::Sum& sum) {
     return work(sum) >= enough;
 }
 
-/// Following a tau leaves out at most one state, but it also saves memory.
+/// A tau that is followed leaves out at most one state. It also saves memory, so it may cost more work than a state.
 bool worth_it(const ProofRecord::Sum& sum, double work_of_a_state) {
     constexpr double most_for_a_state = 2;
     return sum.proofs > 0 &&
@@ -188,7 +188,7 @@ ProofPlan ProofRecord::plan(double work_of_a_state) const {
     return result;
 }
 
-/// Whether proofs that begin with it pay off. (The next query tracks more components.)
+/// Whether proofs that begin with this query pay off. (The next query tracks more components.)
 bool ProofRecord::leads_to_proofs(const Key& key, double work_of_a_state) const {
     const auto known = sums_.find(key);
     if (known == sums_.end()) return false;
@@ -225,8 +225,8 @@ Slots Confluence::parts_of(RuleNumber rule) const {
     return slots;
 }
 
-/// Among the components in question that perform an event in the rule, the one that can perform it in the fewest of its
-/// states.
+/// Returns, among the selected components that perform an event in the rule, the one that can perform it in the fewest
+/// of its states.
 std::uint32_t Confluence::listed_at(const WholeRule& rule, const std::vector<char>& has) const {
     const Part* rarest = nullptr;
     for (const Part& part : rule.parts) {
@@ -236,7 +236,7 @@ std::uint32_t Confluence::listed_at(const WholeRule& rule, const std::vector<cha
     return rarest->slot;
 }
 
-/// The rules in which tracked components perform an event.
+/// Returns the rules in which tracked components perform an event.
 const Confluence::Asking& Confluence::asking(const Tracked& tracked) {
     const auto [known, fresh] = asking_.try_emplace(tracked.slots);
     Asking& made = known->second;
@@ -253,7 +253,8 @@ const Confluence::Asking& Confluence::asking(const Tracked& tracked) {
     return made;
 }
 
-/// The set that also tracks the parts of the first of the other rules that has some untracked parts, and not too many.
+/// Returns the set that also tracks the parts of one of the other rules: of the first one that has some untracked
+/// parts, but not too many.
 Confluence::Next Confluence::tracking_more(std::uint32_t number, const std::vector<RuleNumber>& others) {
     const RuleNumber rule = tracked_[number].rule;
     const Slots& before = tracked_[number].slots;
@@ -299,11 +300,11 @@ public:
     [[nodiscard]] const std::vector<std::uint64_t>& keys() const { return keys_; }
     /// Number of rules examined by the last proof.
     [[nodiscard]] std::uint64_t rules() const { return next_.rules; }
-    /// If there is no proof: the rule that disturbs it, and the rules that led to the state in which it does, last
+    /// After a failed proof: the rule that disturbs it, and the rules on the path to the state in which it does, last
     /// first.
     [[nodiscard]] const std::vector<RuleNumber>& blamed() const { return blamed_; }
-    /// Keys of the states from that one back to the first: the rules on the way from the n-th are the first n - 1 of
-    /// those in blamed().
+    /// After a failed proof: the keys of the states on the path from that state back to the first. The rules on the
+    /// path from the n-th state are the first n - 1 of the rules above.
     [[nodiscard]] const std::vector<std::uint64_t>& led_on() const { return led_on_; }
 
 private:
@@ -376,9 +377,9 @@ std::uint32_t Confluence::answer(std::uint32_t number, Locals state) {
 }
 
 /// The answer depends only on the states of the tracked components, and so does the next query. If a proof fails, a
-/// proof that began with a state on the way would fail at the same state: the first state in which a condition fails is
-/// searched breadth first, and no shorter path leads there. So that state has the same answer, or no next query if this
-/// one is due to a rule that came before it.
+/// proof that begins with a state on the path to the failure fails at the same state. The reason is that the first
+/// state in which a condition fails is searched breadth first, and no shorter path leads to it. So all states on the
+/// path have the same answer. They have no next query if this one is due to a rule that comes before them.
 std::uint32_t Confluence::decide(std::uint32_t number, std::uint64_t here, Locals state) {
     if (tracked_[number].asking == nullptr) tracked_[number].asking = &asking(tracked_[number]);
     if (!closure_) closure_ = std::make_unique<Closure>(*this);
@@ -400,9 +401,9 @@ std::uint32_t Confluence::decide(std::uint32_t number, std::uint64_t here, Local
 }
 
 /// Checks conditions 2 to 4 in these states of the tracked components; the rest of the state is not read. `next`
-/// receives the states of these components in which the conditions must hold too (`state` is changed temporarily).
-/// `disturbing`: the rule for which they fail. A rule that needs events of several of the components is examined at one
-/// that can perform its event: elsewhere it cannot fire.
+/// receives the states of these components in which the conditions must also hold (`state` is changed temporarily).
+/// `disturbing` receives the rule for which the conditions fail. A rule that needs events of several tracked components
+/// is examined only at one that can perform its event, because otherwise it cannot fire.
 bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outcomes& next,
                            std::optional<RuleNumber>& disturbing) const {
     const WholeRule& rule = rules_->rules[tracked.rule];
@@ -436,7 +437,7 @@ bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outco
     return true;
 }
 
-/// Condition 2: every part is possible and has one result.
+/// Condition 2: every part is possible and has exactly one result.
 bool Confluence::determined(const WholeRule& rule, Locals state) const {
     return std::ranges::all_of(rule.parts, [&](const Part& part) {
         if (!part.event) return true;
@@ -479,7 +480,7 @@ bool Confluence::commutes(const Part& part, const Part& other, Local local) cons
     });
 }
 
-/// The states of the tracked components, from that index on, to which the other rule can lead.
+/// Adds the states of the tracked components to which the other rule can lead, from index `slot` on.
 void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::size_t place, std::span<Local> state,
                               Outcomes& next) const {
     const std::vector<Part>& parts = rules_->rules[other].parts;
@@ -503,7 +504,7 @@ void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::siz
     next.by.push_back(other);
 }
 
-/// Whether the component stays in this state for all ways to perform its part.
+/// Whether the component stays in this state in all ways to perform its part.
 bool Confluence::unchanged(const Part& part, Local local) const {
     if (part.assigned || !part.event) return false;
     const Component::Edges edges = component(part.slot).edges(local, *part.event);

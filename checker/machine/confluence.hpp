@@ -22,15 +22,16 @@ namespace robochart::machine {
 
 /// Indices of components, ascending.
 using Slots = std::vector<std::uint32_t>;
-/// Queries that proofs skip because they seldom decide: maps the slots of the rule's parts and the slots that would be
-/// tracked to the slots to track instead. Empty: the proof is assumed to fail.
+/// Replaces queries that seldom decide, so that proofs skip them. Maps the slots of the parts of a rule and the slots
+/// that would be tracked to the slots to track instead. If these are empty, the proof is assumed to fail.
 using ProofPlan = std::map<std::pair<Slots, Slots>, Slots>;
 
-/// The costs and results of proofs, summed over rules with the same components, because each value of a channel has a
-/// rule.
+/// Records the costs and results of proofs. They are summed over rules with the same components, because each value of
+/// a channel has a rule.
 class ProofRecord {
 public:
-    /// The costs and results of proofs that track the same components. `next`: what was tracked afterwards instead.
+    /// The costs and results of proofs that track the same components. `next`: the sets that were tracked after a
+    /// failure.
     struct Sum {
         std::uint64_t proofs = 0;  ///< number of successful proofs
         std::uint64_t looked = 0;  ///< number of states examined by proofs
@@ -40,8 +41,8 @@ public:
     };
 
     [[nodiscard]] Sum& of(const Slots& parts, const Slots& tracked) { return sums_[{parts, tracked}]; }
-    /// The queries that proofs can skip if computing the successors of a state takes this much work. Skipped are proofs
-    /// that have not succeeded, and those that took more work than the states that they left out would have.
+    /// Returns the queries that proofs can skip if computing the successors of a state takes this much work. These are
+    /// proofs that never succeeded, and proofs that took more work than the states that they left out.
     [[nodiscard]] ProofPlan plan(double work_of_a_state) const;
 
 private:
@@ -55,15 +56,15 @@ private:
 /// answers do not depend on earlier queries.
 class Confluence {
 public:
-    /// `plan`: for a system with the same rules. The results depend on it.
+    /// `plan`: a plan for a system with the same rules. The results depend on it.
     Confluence(std::shared_ptr<const Supercombinator> combined, std::shared_ptr<const WholeRules> rules,
                ProofPlan plan);
     Confluence(const Confluence&) = delete;
     Confluence& operator=(const Confluence&) = delete;
     ~Confluence();
 
-    /// Performs the first tau of the state, given by the components' states, that is proved to be confluent. False if
-    /// there is none.
+    /// Performs the first tau of the state that is proved to be confluent. `state` contains the states of the
+    /// components. Returns false if there is no such tau.
     bool follow(std::span<Local> state);
     /// Adds the costs and results of the proofs so far.
     void add_to(ProofRecord&) const;
@@ -72,25 +73,26 @@ public:
 
 private:
     using RuleNumber = std::uint32_t;
-    /// States of all components; only those of the tracked ones are read.
+    /// The states of all components. Only the states of tracked components are read.
     using Locals = std::span<const Local>;
     /// Rules in which a component performs this event.
     struct ByEvent {
         std::uint32_t event = 0;
         std::vector<RuleNumber> rules;
     };
-    /// The rules in which some of a few components perform an event, each rule once: at one of these components, by its
-    /// index and by the event, ascending. The rule can fire only if that component can perform the event.
+    /// The rules in which tracked components perform an event, each rule once. A rule is listed at one of these
+    /// components, by the index of the component and by the event, ascending. The rule can fire only if that component
+    /// can perform the event.
     using Asking = std::vector<std::vector<ByEvent>>;
-    /// A rule with the components whose current states its proofs read, and the statistics of these proofs.
+    /// A query: a rule and the components whose current states its proofs read, with the statistics of these proofs.
     struct Tracked {
         RuleNumber rule = 0;
         Slots slots;                         ///< ascending: the rule's parts, and further components
         std::vector<std::uint64_t> weights;  ///< weight of each component's state in keys
-        std::vector<char> has;               ///< by slot: whether it is one of them
+        std::vector<char> has;               ///< for each slot: whether it is in `slots`
         const Asking* asking = nullptr;      ///< for the slots; computed for the first proof
         std::uint64_t proofs = 0, looked = 0, rules = 0, used = 0;  ///< as in ProofRecord
-        std::map<std::uint32_t, std::uint64_t> next;  ///< how often which other query followed a failed proof
+        std::map<std::uint32_t, std::uint64_t> next;  ///< how often each other query followed a failed proof
     };
     /// The states to which other rules lead, and the rule that leads to each.
     struct Outcomes {
@@ -111,7 +113,7 @@ private:
     void keep(std::uint32_t number, std::uint64_t key, std::uint32_t answer);
     std::uint32_t tracking(RuleNumber rule, Slots slots);
     std::uint32_t made(RuleNumber rule, Slots slots);
-    /// The next query after a failed proof, and how many of the rules were examined to find it.
+    /// The next query after a failed proof, and the number of rules that were examined to find it.
     struct Next {
         std::uint32_t number;
         std::size_t rules;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Leading edges, rules by event and estimated frequencies of events are derived data, so they are left out.
+// Derived data are left out: leading edges, rules by event and estimated frequencies of events.
 #include "checker/machine/content.hpp"
 
 namespace robochart::machine {

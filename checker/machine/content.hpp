@@ -9,8 +9,8 @@
 
 namespace robochart::machine {
 
-/// Events by their indices in an ascending list, so that sessions that number them differently, but in the same order,
-/// compute the same content.
+/// Numbers events by their indices in an ascending list. Sessions that number events differently, but in the same
+/// order, then compute the same content.
 class EventPlaces {
 public:
     /// `named`: ascending.

@@ -11,7 +11,7 @@ constexpr std::uint32_t nowhere = static_cast<std::uint32_t>(-1);
 
 using Edges = std::vector<std::pair<std::uint32_t, Local>>;  // event and target
 
-/// By region, the components below it, ascending.
+/// Returns, for each region, the components below it, ascending.
 std::vector<std::vector<std::uint32_t>> slots_below(const Supercombinator& combined) {
     std::vector<std::vector<std::uint32_t>> below;
     for (const Region& region : combined.regions) {
@@ -94,8 +94,8 @@ bool Exchange::maps_component(std::uint32_t slot, const std::function<void()>& p
     return true;
 }
 
-/// Condition 2: each region has an image, the region over the images of its components; if several have the same
-/// components, inner ones are mapped to inner ones.
+/// Condition 2: each region has an image, which is the region over the images of its components. If several regions
+/// have the same components, inner regions are mapped to inner ones.
 bool Exchange::map_regions() {
     const std::vector<std::vector<std::uint32_t>> below = slots_below(combined_);
     std::vector<bool> taken(below.size(), false);
@@ -114,7 +114,7 @@ bool Exchange::map_regions() {
     return region_.back() + 1 == region_.size();
 }
 
-/// Condition 2, continued: the image participates where the region participates.
+/// Condition 2, continued: the image of a region participates in the same place as the region.
 bool Exchange::map_participants(std::uint32_t region) {
     const auto key = [](bool is_region, std::uint32_t index) { return std::pair(is_region, index); };
     std::map<std::pair<bool, std::uint32_t>, std::uint32_t> numbers;
@@ -183,8 +183,8 @@ Exchange::EventsByBody Exchange::images(std::uint32_t region, const std::functio
     return bodies(mapped, poll);
 }
 
-/// The images of the events of rules with these bodies, such that they are the expected events: if a body has several
-/// events, those with the same name correspond, then the remaining ones in their order.
+/// Returns the images of the events of rules with these bodies; the images must be the expected events. If a body has
+/// several events, those with the same name correspond, then the remaining ones in their order.
 std::optional<Exchange::Places> Exchange::event_images(const Region& from, const Region& to, const EventsByBody& bodies,
                                                        const EventsByBody& wanted) const {
     Places image(from.alphabet.size(), nowhere);

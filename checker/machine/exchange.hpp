@@ -14,15 +14,16 @@
 
 namespace robochart::machine {
 
-/// The exchange of the components of two ranges of slots, one by one; every other component keeps its place and state.
-/// Numbers of states and events are those of the shapes.
+/// Exchanges the components of two ranges of slots, one by one. Every other component keeps its place and state. The
+/// numbers of states and events are those of the shapes.
 class Exchange {
 public:
     /// `shapes`: by slot, for the slots in both ranges. The ranges are disjoint and have the same length.
     Exchange(const Supercombinator& combined, const std::vector<ComponentShape>& shapes, SlotRange first,
              SlotRange second);
 
-    /// The events that it exchanges, if it is an automorphism. `poll` may throw to stop.
+    /// Returns the events that the exchange maps to other events, if the exchange is an automorphism. `poll` may throw
+    /// to stop.
     [[nodiscard]] std::optional<lts::EventPermutation> verified(const std::function<void()>& poll);
 
 private:

@@ -14,11 +14,12 @@ struct ExplicitMachine {
     std::vector<TermId> meaning;                        ///< by state: a term that it represents
 };
 
-/// The quotient by strong bisimilarity, which preserves every model; unreachable states are left out. The names of
-/// hidden events are those of the representatives. `poll` may throw to stop.
+/// Replaces the machine by its quotient under strong bisimilarity, which preserves every model. Unreachable states are
+/// left out. Hidden events have the names that they have in the representatives. `poll` may throw to stop.
 void minimise(ExplicitMachine& machine, const std::function<void()>& poll);
 
-/// The component without the edges whose events, given by their indices, are not `used`.
+/// Returns the component without the edges of events that are not used. `used` has one element for each event, by
+/// index.
 [[nodiscard]] ExplicitMachine without_unused(const Component& component, const std::vector<bool>& used);
 
 }  // namespace robochart::machine

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why a process stays a term.
+// The exception for processes that cannot be compiled.
 #pragma once
 
 #include <stdexcept>

@@ -10,24 +10,24 @@ namespace robochart::machine {
 
 namespace {
 
-/// A sequence of followed taus may stop at any of its states, which represents those before it; so it may have any
-/// length.
+/// A sequence of followed taus may end at any of its states, which then represents the states before it. So the
+/// sequence may be cut at any length.
 constexpr std::size_t most_steps = 1000;
-/// Numbers of states with which the benefit of proofs is estimated, in rounds: the first rounds remove the least useful
-/// proofs.
+/// The numbers of states of the pilot rounds, which estimate the benefit of proofs. After the first rounds the least
+/// useful proofs are removed.
 constexpr std::size_t pilot_states[] = {200, 600, 2200};  // number of expanded states
 constexpr std::size_t pilot_found = 200'000;              // number of found states
-/// A round ends early if its proofs take more work than this, plus an allowance for each tau that they follow: proofs
+/// A round ends early if its proofs take more work than this plus an allowance for each tau that they follow. Proofs
 /// about locks and schedulers often examine thousands of states and fail.
 constexpr double most_work_of_a_round = 60'000;
 constexpr double most_work_of_a_tau = 2'000;
-/// A reduced search may take this much more work than one of all states, because it saves memory. A round that has
-/// expanded enough states decides.
+/// A reduced search may take this many times the work of a full search, because it saves memory. The first round that
+/// has expanded enough states decides.
 constexpr double most_work = 1.5;
 constexpr std::size_t enough_to_judge = 1000;
 
-/// Searches some of a system's states, the last found first, so that they are from all parts of it; the order of a
-/// state's successors varies, but depends only on the system.
+/// Searches some states of a system. It takes the state found last first, so that the states are spread over the whole
+/// system. The order of a state's successors varies but depends only on the system.
 class Pilot final : private lts::SuccessorSink {
 public:
     explicit Pilot(std::size_t width) : found_(width) {}
@@ -66,7 +66,7 @@ private:
     std::size_t expanded_ = 0;
 };
 
-/// The plan that results from a pilot search; no value if following taus costs more than it saves.
+/// Returns the plan that results from the pilot search. No value if following taus costs more than it saves.
 std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombinator>& combined,
                                         const process::TermStore& terms, const std::shared_ptr<const WholeRules>& rules,
                                         const std::function<void()>& poll) {
@@ -102,7 +102,7 @@ std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombina
 
 std::unique_ptr<lts::ReducedSystem> SupercombinatorSystem::reduced(const std::function<void()>& poll) const {
     std::optional<WholeRules> rules = whole_rules(*combined_, poll);
-    // A rule without the first level in its regions, or whose event is not tau, is never followed.
+    // A rule is never followed if its event is not tau, or if it does not have the first level in its regions.
     const auto may_be_followed = [](const WholeRule& rule) {
         return rule.event == process::tau && rule.prevented.empty();
     };
@@ -145,7 +145,7 @@ void ReducedSystem::initial(std::span<lts::Word> state) {
 }
 
 void ReducedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
-    // as in SupercombinatorSystem: the sink may ask for successors while it receives some
+    // The sink may ask for successors while it receives some, as in SupercombinatorSystem.
     if (sink_ != nullptr) {
         const auto other = another();
         other->watch(poll_);

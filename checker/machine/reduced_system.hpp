@@ -11,10 +11,10 @@
 
 namespace robochart::machine {
 
-/// States are those of the process. The targets of transitions are replaced by their representatives.
+/// The states are those of the process. Targets of transitions are replaced by their representatives.
 class ReducedSystem final : public lts::ReducedSystem, private lts::SuccessorSink {
 public:
-    /// `plan`: for its proofs (Confluence).
+    /// `plan`: the plan for its proofs (Confluence).
     ReducedSystem(std::unique_ptr<lts::TransitionSystem> whole, std::shared_ptr<const Supercombinator> combined,
                   std::shared_ptr<const WholeRules> rules, ProofPlan plan);
 
@@ -33,7 +33,7 @@ public:
     void add_to(ProofRecord& record) const { confluence_.add_to(record); }
     /// The work of the proofs so far (Confluence).
     [[nodiscard]] double work_of_proofs() const { return confluence_.work(); }
-    /// The compiled process whose reduced form it is.
+    /// The compiled process that this system reduces.
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
 
 private:

@@ -20,7 +20,7 @@ constexpr std::size_t most_nodes = 200'000;
 constexpr std::size_t most_prefixes = 500;  // total number of prefixes that are taken apart
 constexpr std::size_t longest_chain = 60;   // maximal nesting of prefixes that are taken apart
 
-/// Thrown if taking prefixes apart does not end, or not soon.
+/// Thrown if unfolding prefixes does not end, or takes too long.
 class UnfoldsOn : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -28,7 +28,7 @@ public:
 
 class Builder {
 public:
-    /// `through_prefixes`: whether parallel operators after prefixes are found.
+    /// `through_prefixes`: whether to look for parallel operators after prefixes.
     Builder(process::TermStore& terms, const std::set<TermId>& leaves, const std::set<TermId>& left_out,
             bool through_prefixes, const std::function<void()>& poll)
         : terms_(terms), leaves_(leaves), left_out_(left_out), through_prefixes_(through_prefixes), poll_(poll) {}
@@ -68,7 +68,7 @@ private:
     std::map<std::pair<TermId, int>, bool> composite_;  // false while it is unknown
 };
 
-/// Removes calls and compressions that are left out.
+/// Unfolds calls and removes compressions that are left out.
 TermId Builder::unfolded(TermId term) {
     for (term = terms_.unfolded(term, deepest_look); left_out_.contains(term);)
         term = terms_.unfolded(terms_[term].children.front(), deepest_look);
@@ -171,7 +171,7 @@ void Builder::gate(NodeId id) {
 
 void Builder::operation(NodeId id, const Tail& tail, int depth) {
     const Term term = terms_[result_.nodes[id].term];
-    // The operand that replaces the node, with and without a visible event.
+    // The enclosing nodes that end when an operand replaces this node, with and without a visible event.
     Tail inside = tail;
     inside.at_once.push_back(id);
     inside.by_event.push_back(id);

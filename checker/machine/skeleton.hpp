@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of a process that does not change while it runs: the operators above its components. An operator that one
-// operand can replace (exception, sequence, interrupt, choice) stays in place too: the inactive operands are off. So a
-// state of the whole process has one state for each component, in a vector of fixed length.
+// operand can replace (exception, sequence, interrupt, choice) also stays in place; its inactive operands are off. So a
+// state of the whole process contains one state for each component, in a vector of fixed length.
 #pragma once
 
 #include <functional>
@@ -27,8 +27,8 @@ struct Node {
     Kind kind = Kind::leaf;
     Op op = Op::stop;
     TermId term{};  ///< leaf, operation: its term (calls unfolded)
-    /// For operations. The gate is the first child of sliding choice, internal choice and prefix; the others are
-    /// operands.
+    /// The children of an operation. The gate is the first child of sliding choice, internal choice and prefix; the
+    /// others are operands.
     std::vector<NodeId> children;
     NodeId again = 0;
     NodeId region = 0;             ///< the region that contains it: the nearest enclosing prioritise, or the root
@@ -43,13 +43,13 @@ struct Skeleton {
     std::size_t prefixes = 0;   ///< number of prefixes taken apart to reach parallel operators
 };
 
-/// Takes a term apart, down to the terms in `leaves` and those without operators that stay in place; compressed terms
-/// in `left_out` are replaced by their operands. No value if it contains no parallel operator to take apart. May
-/// evaluate definitions and throw their exceptions. `poll` may throw to stop.
+/// Splits a term at its operators, down to the terms in `leaves` and terms without operators that stay in place.
+/// Compressed terms in `left_out` are replaced by their operands. No value if there is no parallel operator to split.
+/// May evaluate definitions and throw their exceptions. `poll` may throw to stop.
 ///
-/// Events before a parallel operator are followed, so that a process can start its components or switch between modes.
+/// Events before a parallel operator are followed, because a process may start its components or switch between modes.
 /// If this does not come back to its beginning, as in COUNT(n) = up -> COUNT(n + 1) [] go -> (A ||| B), events are not
-/// followed anywhere in the term: a subterm that begins with an event is then one component.
+/// followed anywhere in the term. A subterm that begins with an event is then one component.
 [[nodiscard]] std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term,
                                                   const std::set<TermId>& leaves, const std::set<TermId>& left_out,
                                                   const std::function<void()>& poll);

@@ -25,7 +25,7 @@ struct Participant {
     std::uint32_t index = 0;  ///< slot, or region
 };
 
-/// For a component, the edges with events of rules in which it is the first participant.
+/// The edges of a component with events of rules in which the component is the first participant.
 struct Leading {
     std::vector<std::uint32_t> first;  ///< by state, one more at the end
     std::vector<Component::Edge> edges;
@@ -59,9 +59,9 @@ struct Rule {
     std::uint32_t first_assignment, end_assignment;    ///< rules may share them
 };
 
-/// The rules between two prioritise operators, because operators above a prioritise see only what it allows. A rule
-/// begins with the participant that can perform its event in the fewest of its states, so that rules that cannot fire
-/// are seldom examined.
+/// The rules between two prioritise operators. They are separate because operators above a prioritise see only what it
+/// allows. A rule begins with the participant that can perform its event in the fewest states, so that rules that
+/// cannot fire are seldom examined.
 struct Region {
     std::vector<Participant> participants;
     std::vector<Leading> leading;                        ///< by participant, after list_leading; empty for regions
@@ -91,12 +91,12 @@ struct Supercombinator {
     std::uint32_t words = 1;
 };
 
-/// The rules of a skeleton whose components have been built. Throws NotCompiled if there are more than `most_rules`, or
-/// if they take more work than this many rules are worth. `poll` may throw to stop.
+/// Returns the rules of a skeleton whose components have been built. Throws NotCompiled if there are more than
+/// `most_rules` rules, or if computing them takes more work than so many rules should take. `poll` may throw to stop.
 [[nodiscard]] Supercombinator combine(const process::TermStore& terms, const Skeleton& skeleton,
                                       std::vector<ComponentPtr> components, std::size_t most_rules,
                                       const std::function<void()>& poll);
-/// Adds derived data that a system needs: the edges with which rules begin.
+/// Adds derived data that a system needs: the edges of the first participants of rules.
 void list_leading(Supercombinator& combined, const std::function<void()>& poll);
 
 }  // namespace robochart::machine

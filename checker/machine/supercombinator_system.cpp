@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Successors by rules: each event of each participant's current state is looked up among the rules in which it comes
-// first, and a rule fires for every combination of transitions of its other participants. The moves of inner regions
-// are computed when an outer rule asks for them, and the priorities that prevent an event when it becomes possible.
+// Computes successors by rules. Each event of the current state of each participant is looked up among the rules in
+// which the participant comes first. A rule fires for every combination of transitions of its other participants. The
+// moves of inner regions are computed when an outer rule needs them. Priorities that prevent an event are computed when
+// the event becomes possible.
 #include "checker/machine/supercombinator_system.hpp"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ public:
         around_ = &first_rule_around;
         enumerate();
     }
-    /// The same for the rules of one event.
+    /// The same for the rules with one event.
     void list_event(std::uint32_t event) {
         for (const std::uint32_t rule : region_.by_event[event])
             part(region_.rules[rule], region_.rules[rule].lead, region_.rules[rule].first_requirement, tau);
@@ -91,8 +92,8 @@ private:
         return around_ == nullptr || (*around_)[rule.place] < (*around_)[rule.place + 1U];
     }
 
-    /// Applies the change of one participant, then the requirements from `next` on. The name of a tau is that of the
-    /// first participant's.
+    /// Applies the change of one participant, and then processes the requirements from index `next` on. A tau gets the
+    /// name of the first participant's tau.
     template <typename Way>
     void take(const Rule& rule, std::uint32_t who, const Way& way, std::uint32_t next, Event revealed) {
         const std::size_t before = system_.changes_.size();
@@ -129,7 +130,7 @@ private:
         }
     }
 
-    /// Priority as in process/composition_rules.cpp, prioritise: an event of a higher level prevents an event.
+    /// Implements priority as in process/composition_rules.cpp: an event of a higher level prevents the event.
     void perform(const Rule& rule, Event revealed_by_participant) {
         constexpr std::uint32_t between_polls = 64;
         if (++system_.performed_ % between_polls == 0 && system_.poll_) system_.poll_();
@@ -205,7 +206,7 @@ std::uint32_t SupercombinatorSystem::best_level(std::uint32_t region) {
 }
 
 void SupercombinatorSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
-    // If one system is both sides of a refinement, the sink asks for successors while it receives some.
+    // If the same system is both sides of a refinement, the sink asks for successors while it receives some.
     if (busy_) {
         SupercombinatorSystem another(combined_, terms_);
         another.poll_ = poll_;
@@ -224,7 +225,7 @@ void SupercombinatorSystem::successors(lts::StateView state, lts::SuccessorSink&
 void SupercombinatorSystem::pass_successors(lts::StateView state, lts::SuccessorSink& sink) {
     unpack(state);
     ++state_number_;
-    changes_.clear();  // left over if a sink has thrown
+    changes_.clear();  // not empty if a sink has thrown
     for (Moves& moves : moves_) {
         moves.list.clear();
         moves.changes.clear();

@@ -28,7 +28,7 @@ public:
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     void watch(const std::function<void()>& poll) override { poll_ = poll; }
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
-    /// The number of component steps examined for successors so far.
+    /// The number of transitions of components that were examined for successors so far.
     [[nodiscard]] std::uint64_t work() const { return work_; }
 
 private:

@@ -16,7 +16,7 @@ using diagnostics::splitmix64_mixed;
 constexpr std::size_t largest_component = 20'000;  // number of states
 constexpr std::size_t most_rules = 200'000;
 constexpr std::size_t most_exchanges = 500;  // number of verifications
-/// Maximal number of rules and states examined for wrong proposals, after which no more proposals are tried.
+/// After this many rules and states have been examined for wrong proposals, no more proposals are tried.
 constexpr std::size_t most_in_vain = 200'000;
 
 class Finder {
@@ -42,7 +42,7 @@ public:
 private:
     using Ranges = std::vector<SlotRange>;
 
-    /// Ranges by the sizes of their components, so that few shapes are computed; large ranges first.
+    /// Groups ranges by the sizes of their components, so that few shapes are computed. Large ranges come first.
     [[nodiscard]] std::map<std::vector<std::size_t>, Ranges> by_size() const {
         std::map<std::vector<std::size_t>, Ranges> result;
         for (const SlotRange& range : combined_.operands) {
@@ -77,7 +77,7 @@ private:
         return shapes_[slot];
     }
 
-    /// The requirements of rules for each event, as numbers that an exchange does not change.
+    /// Computes a number for each event from the requirements of its rules. An exchange does not change this number.
     void find_roles() {
         for (const ComponentPtr& component : combined_.components) {
             std::vector<std::uint64_t>& role = roles_.emplace_back();
@@ -156,7 +156,7 @@ private:
     const std::function<void()>& poll_;
     std::vector<std::vector<std::uint64_t>> roles_;  // by slot and index in the alphabet
     std::vector<ComponentShape> shapes_;             // by slot, computed on first use
-    std::vector<bool> taken_;                        // by slot: it belongs to a replica
+    std::vector<bool> taken_;                        // for each slot: whether it belongs to a replica
     std::size_t exchanges_ = 0;
     std::size_t in_vain_ = 0;
     std::vector<lts::ReplicaSet> result_;

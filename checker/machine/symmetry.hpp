@@ -10,8 +10,8 @@
 
 namespace robochart::machine {
 
-/// The sets of replicas found, large replicas first. Empty if components or rules are too large to be examined. `poll`
-/// may throw to stop.
+/// Returns the sets of replicas that were found, large replicas first. Empty if components or rules are too large to be
+/// examined. `poll` may throw to stop.
 [[nodiscard]] std::vector<lts::ReplicaSet> replica_sets(const Supercombinator& combined, const lts::EventTable& names,
                                                         const std::function<void()>& poll);
 

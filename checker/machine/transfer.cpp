@@ -158,7 +158,7 @@ private:
     Region region_;
 };
 
-/// For one slot: wide enough for the component's states and the value "off".
+/// Reads the field of a slot. It must be wide enough for the states of the component and the value "off".
 Field read_field(ByteReader& in, const Supercombinator& process, std::size_t slot) {
     Field field{in.below(process.words), in.below(32), in.word()};
     const bool all_ones = std::has_single_bit(field.mask + std::uint64_t{1});
@@ -172,7 +172,7 @@ Field read_field(ByteReader& in, const Supercombinator& process, std::size_t slo
     return field;
 }
 
-/// The slot of a field: the fields of one value are all equal, so any slot of such a component is suitable.
+/// Returns the slot of a field. All fields of a value are equal, so any slot of such a component is suitable.
 std::uint32_t slot_of(const Field& field, const Supercombinator& process) {
     const auto same = [&](const Field& each) {
         return each.word == field.word && each.shift == field.shift && each.mask == field.mask;
@@ -276,7 +276,8 @@ Supercombinator read_supercombinator(ByteReader& in, TermId meaning) {
 
 namespace {
 
-/// The compiled process of a system without symmetry, or of which it is a reduced form; null for other systems.
+/// Returns the compiled process of a system without symmetry, or the process that the system reduces. Null for other
+/// systems.
 const Supercombinator* process_of(const lts::TransitionSystem& system) {
     if (const auto* machine = dynamic_cast<const SupercombinatorSystem*>(&system)) return &machine->combined();
     const auto* smaller = dynamic_cast<const ReducedSystem*>(&system);

@@ -12,7 +12,7 @@
 
 namespace robochart::machine {
 
-/// One slot's part in a rule of the whole process.
+/// The part of one slot in a rule of the whole process.
 struct Part {
     std::uint32_t slot = 0;
     std::optional<std::uint32_t> event;  ///< the event that the component performs, by its index in the component's
@@ -42,7 +42,8 @@ struct WholeRules {
     std::vector<WholeRule> rules;
     std::vector<std::vector<std::vector<std::uint32_t>>> asking;  ///< by slot and event
     std::vector<std::vector<std::uint32_t>> assigning;            ///< by slot
-    /// By slot, the rules that events of its component can prevent, because it is below one of their regions.
+    /// For each slot, the rules that events of its component can prevent, because the component is below one of their
+    /// regions.
     std::vector<std::vector<std::uint32_t>> preventable;
 };
 

@@ -35,7 +35,8 @@ public:
     }
 
 private:
-    /// Removes choices of states outside, or with targets outside; then states without choices.
+    /// Removes choices of states outside the sub-model and choices with targets outside; then removes states without
+    /// choices.
     void remove_what_leaves() {
         for (State state = 0; state < graph_.states(); ++state)
             for (std::uint32_t choice = model_.first_choice[state]; choice < model_.first_choice[state + 1]; ++choice) {

@@ -23,8 +23,8 @@ public:
             if (from[state]) ahead_.push_back(state);
     }
 
-    /// `admits(choice)`: whether its source belongs to the set, now that the set contains a target of the choice.
-    /// Called once for each branch to a state of the set.
+    /// `admits(choice)`: whether the source of the choice belongs to the set, given that the set contains a target of
+    /// the choice. It is called once for each branch to a state of the set.
     template <class Admits>
     StateSet run(Admits admits) {
         while (!ahead_.empty()) {
@@ -46,7 +46,7 @@ private:
     std::vector<State> ahead_;
 };
 
-/// The least set that contains `right` and every state of `left` all of whose choices have a branch into the set.
+/// Returns the least set that contains `right` and every state of `left` whose choices all have a branch into the set.
 StateSet every_choice_may(const Graph& graph, const StateSet& left, const StateSet& right) {
     const Model& model = graph.model();
     std::vector<std::uint32_t> missing(graph.states());
@@ -61,7 +61,7 @@ StateSet every_choice_may(const Graph& graph, const StateSet& left, const StateS
     });
 }
 
-/// The choices all of whose branches lead into a set that shrinks.
+/// The choices whose branches all lead into a shrinking set.
 class Inside {
 public:
     Inside(const Graph& graph, const std::vector<bool>& choices) : graph_(graph), set_(all(graph)), choices_(choices) {}
@@ -100,7 +100,7 @@ StateSet prob1e(const Graph& graph, const StateSet& left, const StateSet& right)
     return prob1e(graph, left, right, std::vector<bool>(graph.model().choices(), true));
 }
 
-/// Greatest Z, least Y: right, and the states of left with a choice that stays in Z and may lead into Y.
+/// Greatest Z, least Y: Y contains `right`, and the states of `left` with a choice that stays in Z and may lead into Y.
 StateSet prob1e(const Graph& graph, const StateSet& left, const StateSet& right, const std::vector<bool>& choices) {
     Inside inside(graph, choices);
     while (true) {

@@ -15,7 +15,7 @@ namespace robochart::markov {
 [[nodiscard]] StateSet prob0e(const Graph& graph, const StateSet& left, const StateSet& right);
 /// Maximal probability 1: it is almost sure under some scheduler. For a dtmc: probability 1.
 [[nodiscard]] StateSet prob1e(const Graph& graph, const StateSet& left, const StateSet& right);
-/// The same for schedulers that take only these choices; `choices` has one element for each choice.
+/// The same for schedulers that take only the given choices. `choices` has one element for each choice.
 [[nodiscard]] StateSet prob1e(const Graph& graph, const StateSet& left, const StateSet& right,
                               const std::vector<bool>& choices);
 /// Minimal probability 1: it is almost sure under every scheduler.

@@ -8,8 +8,8 @@
 
 namespace robochart::markov {
 
-/// Rounds upward while the operator runs. Runs it again with a higher precision if values lose too much precision when
-/// they pass through other components.
+/// Runs the operator with upward rounding. Repeats it with a higher precision if values lose too much precision between
+/// components.
 [[nodiscard]] Solution answer(const Precision& precision,
                               const std::function<Result<Interval>(const Precision& precision)>& operation);
 

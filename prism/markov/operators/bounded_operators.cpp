@@ -16,7 +16,7 @@ public:
           budget_(precision.budget),
           numbers_(converted(model.numbers, model.exact, Value{})) {}
 
-    /// The best expectation of these values after one step, plus the reward of the step, for one state.
+    /// Returns, for one state, the optimal expectation of these values after one step, plus the reward of the step.
     [[nodiscard]] Value expectation(State state, const std::vector<Value>& values,
                                     const Earnings<Value>& earnings) const {
         const std::uint32_t first = model_.first_choice[state];
@@ -26,8 +26,8 @@ public:
         return result;
     }
 
-    /// `step(state, values)` returns the value of a state from those of the sweep before. Ends early if nothing
-    /// changes.
+    /// `step(state, values)` computes the value of a state from the values of the previous sweep. Ends early if no
+    /// value changes.
     template <class Step>
     void repeat(std::uint64_t times, std::vector<Value>& values, Step step) const {
         std::vector<Value> after(values.size());
@@ -93,7 +93,7 @@ Result<Value> BoundedOperators<Value>::next(const Model& model, const StateSet& 
     return result_of(std::move(values));
 }
 
-/// The last steps count those within the interval; in the first `from` steps the left side must hold.
+/// The last sweeps count the steps within the interval. In the first `from` steps the left side must hold.
 template <class Value>
 Result<Value> BoundedOperators<Value>::until(const Model& model, const StateSet& left, const StateSet& right,
                                              std::uint64_t from, std::optional<std::uint64_t> to, Direction direction,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model whose step bounds count only some choices, unfolded with the count as a part of its states: each state occurs
-// once for every count up to a bound. Properties with a bound then become properties without one.
+// A model in which step bounds count only some choices, unfolded with the count as part of its states: each state
+// occurs once for every count up to a bound. Properties with a bound then become properties without one.
 #pragma once
 
 #include "prism/markov/model/model.hpp"
@@ -8,7 +8,7 @@
 
 namespace robochart::markov {
 
-/// State s at count c is c * states + s; the last state, for all greater counts, has a loop.
+/// State s at count c has number c * states + s. The last state represents all greater counts and has a loop.
 struct Layers {
     Model model;
     std::size_t states = 0;  ///< states in a layer

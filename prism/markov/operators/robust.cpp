@@ -12,7 +12,7 @@
 namespace robochart::markov {
 namespace {
 
-/// The branches, sorted by the worth of their targets, best first.
+/// Returns the branches, sorted by the worth of their targets, best first.
 std::vector<std::size_t> by_worth(const UncertainRow& row, const std::vector<double>& worth) {
     std::vector<std::size_t> order(row.branches.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -28,7 +28,7 @@ Interval point(double value) {
 Interval smaller(const Interval& a, const Interval& b) {
     return {std::min(a.low(), b.low()), std::min(a.high, b.high)};
 }
-/// The rest of a mass; rounding does not make it negative.
+/// Subtracts a part from a mass. Rounding does not make the result negative.
 Interval rest(const Interval& whole, const Interval& part) {
     const Interval left = whole - part;
     return {std::max(0.0, left.low()), std::max(0.0, left.high)};
@@ -55,7 +55,7 @@ double within_bounds(const UncertainRow& row, const std::vector<double>& worth) 
     return sum.high;
 }
 
-/// The same within the ball: up to half of the radius is moved to the best branch, from the worst ones (Strehl and
+/// The same within the ball: up to half of the radius is moved from the worst branches to the best one (Strehl and
 /// Littman, JCSS 74, 2008).
 double within_ball(const UncertainRow& row, const std::vector<double>& worth) {
     const std::vector<std::size_t> order = by_worth(row, worth);
@@ -78,13 +78,13 @@ double expectation(const UncertainRow& row, const std::vector<double>& worth) {
     return row.centre.empty() ? within_bounds(row, worth) : within_ball(row, worth);
 }
 
-/// A lower bound of a minimum is the negative of an upper bound of the maximum of negative worths.
+/// A lower bound of a minimum is the negative of an upper bound of the maximum of the negated worths.
 double sign_of(Direction direction) {
     return direction == Direction::maximum ? 1 : -1;
 }
 
-/// The states outside `goal` in which nature can keep the chain forever: the greatest set that it need not leave. The
-/// result is larger only if rounding prevents a decision.
+/// Returns the states outside `goal` in which nature can keep the chain forever: the greatest set that it need not
+/// leave. If rounding prevents a decision, the result may be larger.
 StateSet endless(const UncertainChain& chain, const StateSet& goal, diagnostics::Budget* budget) {
     std::vector<double> inside(chain.size());
     for (std::size_t state = 0; state < chain.size(); ++state) inside[state] = goal[state] ? 0 : 1;
@@ -134,8 +134,8 @@ double change(const std::vector<double>& before, const std::vector<double>& now)
     return most;
 }
 
-/// A vector that is at least the costs plus its expectation over successors, near the result of value iteration; empty
-/// if none is found.
+/// Returns a vector w with w >= costs + expectation of w over successors, near the result of value iteration. Empty if
+/// none is found.
 std::vector<double> inductive(const UncertainChain& chain, const StateSet& done, const std::vector<double>& cost,
                               std::vector<double> worth) {
     constexpr double more = 1 + 1e-6;
@@ -149,7 +149,7 @@ std::vector<double> inductive(const UncertainChain& chain, const StateSet& done,
     return worth;
 }
 
-/// The states that are reachable in some chain.
+/// Returns the states that are reachable in some chain within the bounds.
 StateSet reachable(const UncertainChain& chain, State from) {
     StateSet found(chain.size());
     std::vector<State> open{from};

@@ -86,7 +86,7 @@ public:
         return earn(rewards, finite, std::move(admitted), zero, std::move(collapsed));
     }
 
-    /// If nothing more need be paid, an end component is left only to earn more.
+    /// If the remaining reward can be 0, the chain leaves an end component only to earn more.
     Result<Value> total_reward(const Rewards& rewards) {
         const Payments payments(model_, rewards);
         const std::vector<bool> free = payments.free_choices(every_choice(graph_));
@@ -101,7 +101,7 @@ public:
     }
 
 private:
-    /// The states in which a scheduler can stay and be paid infinitely often.
+    /// Returns the states in which a scheduler can stay and earn a reward infinitely often.
     StateSet endless_pay(const std::vector<bool>& free) {
         StateSet endless(model_.states(), false);
         std::vector<std::pair<EndComponent, std::uint32_t>> paying;
@@ -117,7 +117,7 @@ private:
         return endless;
     }
 
-    /// The least reward on the way to states in which a scheduler can stay for free.
+    /// Returns the least reward on the way to states in which a scheduler can stay without a reward.
     Result<Value> cheapest_rest(const Rewards& rewards, const std::vector<bool>& free) {
         StateSet resting(model_.states(), false);
         const std::vector<EndComponent> components = end_components(graph_, {every_state(graph_), free});
@@ -130,7 +130,7 @@ private:
         return result;
     }
 
-    /// Values of the finite states; 0 in `zero`.
+    /// Returns the values of the states in `finite`; they are 0 in `zero`.
     Result<Value> earn(const Rewards& rewards, const StateSet& finite, std::vector<bool> admitted, const StateSet& zero,
                        std::vector<EndComponent> collapsed) {
         result_.infinite = finite;

@@ -56,7 +56,7 @@ private:
     };
     using Entry = std::pair<double, std::uint32_t>;
 
-    /// Whether the bound is unreachable, because the remaining paths are less probable than the last one.
+    /// Whether the bound cannot be reached, because the remaining paths are less probable than the last one.
     [[nodiscard]] bool out_of_reach(const PathSet& found) const {
         const auto left = static_cast<double>(wanted_.most - found.paths.size());
         return left * found.paths.back().probability.high < wanted_.bound - found.total.low;
@@ -69,7 +69,7 @@ private:
         if (wanted_.budget != nullptr) wanted_.budget->poll();
     }
 
-    /// The branch of the strategy's choice to a state.
+    /// Returns the branch of the strategy's choice that leads to a state.
     [[nodiscard]] std::uint64_t branch(State state, State to) const {
         const std::uint32_t choice = wanted_.strategy[state];
         const std::span<const State> all = targets(model_, choice);
@@ -108,7 +108,7 @@ private:
         return number;
     }
 
-    /// The cheapest path with this prefix; prefixes that deviate from it are stored for later. No value if the path is
+    /// Returns the cheapest path with this prefix. Stores the prefixes that deviate from it. No value if the path is
     /// too long.
     std::optional<Path> follow(std::uint32_t number) {
         queue_.pop();

@@ -11,7 +11,7 @@
 
 namespace robochart::markov {
 
-/// The numbers of a model in another arithmetic. A double is an arbitrary value of the enclosure.
+/// Returns the numbers of a model in another arithmetic. A double is an arbitrary value of the enclosure.
 [[nodiscard]] std::vector<Interval> converted(const std::vector<Number>& numbers, const std::vector<Rational>& exact,
                                               const Interval&);
 [[nodiscard]] std::vector<Rational> converted(const std::vector<Number>& numbers, const std::vector<Rational>& exact,

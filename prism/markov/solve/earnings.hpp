@@ -23,9 +23,9 @@ class Payments {
 public:
     Payments(const Model& model, const Rewards& rewards);
 
-    /// States that earn something, or may earn something by one of their choices.
+    /// The states that earn something, or can earn something by one of their choices.
     [[nodiscard]] StateSet states() const;
-    /// Those of the given choices that earn nothing, including in their states.
+    /// Returns the given choices that earn nothing and belong to states that earn nothing.
     [[nodiscard]] std::vector<bool> free_choices(std::vector<bool> choices) const;
 
 private:

@@ -15,7 +15,7 @@ namespace {
 template <class Value>
 class Elimination {
 public:
-    /// `right_sides` are transformed too; `keep_shares` stores what later right sides need.
+    /// The right sides are transformed as well. `keep_shares`: stores the data for later right sides.
     Elimination(const System<Value>& system, const Policy& policy, std::vector<std::vector<Value>>& right_sides,
                 bool keep_shares, const EliminationLimit& limit)
         : limit_(limit),
@@ -59,7 +59,7 @@ private:
         forget_places(row);
     }
 
-    /// Adds to the row whose places are known.
+    /// Adds an entry to the row whose places are known.
     void add(std::uint32_t unknown, std::uint32_t to, const Value& factor) {
         Row& row = rows_[unknown];
         if (place_[to] == nowhere) {

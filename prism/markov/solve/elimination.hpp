@@ -52,7 +52,7 @@ private:
     std::vector<std::vector<Entry>> shares_;
 };
 
-/// No value in the same cases as eliminate.
+/// Returns no value if the limit is reached, or if the policy may stay forever.
 template <class Value>
 [[nodiscard]] std::optional<Factors<Value>> factorize(const System<Value>& system, const Policy& policy,
                                                       const EliminationLimit& limit);

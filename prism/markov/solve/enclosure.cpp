@@ -25,7 +25,7 @@ Enclosure sum(double left, double right) {
     return {error >= 0 ? rounded : below(rounded), error <= 0 ? rounded : above(rounded)};
 }
 
-/// 0 * infinity is 0, as the limit of a bound.
+/// 0 * infinity is 0, because an infinite bound is the limit of finite ones.
 Enclosure product(double left, double right) {
     if (left == 0 || right == 0) return {0, 0};
     const double rounded = left * right;

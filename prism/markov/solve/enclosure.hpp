@@ -20,11 +20,11 @@ struct Enclosure {
     friend bool operator==(const Enclosure&, const Enclosure&) = default;
 };
 
-/// For expressions over results, in the default rounding mode (to nearest).
+/// These operations are for expressions over results, in the default rounding mode (to nearest).
 [[nodiscard]] Enclosure operator+(Enclosure left, Enclosure right);
 [[nodiscard]] Enclosure operator-(Enclosure left, Enclosure right);
 [[nodiscard]] Enclosure operator*(Enclosure left, Enclosure right);
-/// From -infinity to infinity if the divisor may be 0.
+/// Returns the interval from -infinity to infinity if the divisor may be 0.
 [[nodiscard]] Enclosure operator/(Enclosure left, Enclosure right);
 /// 1 - p for a probability; the result stays within 0 .. 1.
 [[nodiscard]] Enclosure complement(Enclosure probability);

@@ -93,7 +93,7 @@ public:
     }
 
 private:
-    /// Choices of a class that may leave it.
+    /// Visits the choices of a class that may leave it.
     template <class Visit>
     void for_each_choice(State first, Visit visit) const {
         classes_.for_each_member(first, [&](State member) {

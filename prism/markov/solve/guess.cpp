@@ -10,13 +10,13 @@
 namespace robochart::markov {
 namespace {
 
-/// The e >= 0 with excess + e * growth <= 0: from least to most, none if least > most.
+/// The numbers e >= 0 with excess + e * growth <= 0: an interval from `least` to `most`, empty if least > most.
 struct Scales {
     double least = 0;
     double most = infinity;
 };
 
-/// Both arguments are already rounded up; the results are rounded to the safe side too.
+/// Both arguments are rounded up already. The results are rounded to the safe side as well.
 Scales scales(double excess, double growth) {
     if (growth < 0) return {excess > 0 ? excess / -growth : 0, infinity};
     if (excess > 0) return {infinity, 0};
@@ -28,7 +28,7 @@ public:
     Proof(const System<Interval>& system, Direction direction, const Guesses& guesses)
         : system_(system), direction_(direction), guesses_(guesses) {}
 
-    /// No value if there is none.
+    /// Returns a scale for which the proof succeeds. No value if there is none.
     std::optional<double> scale() {
         for (std::uint32_t unknown = 0; unknown < system_.size(); ++unknown) {
             Scales one{infinity, 0};  // for the bound for which one choice suffices

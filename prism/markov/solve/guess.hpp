@@ -21,9 +21,9 @@ using Guesses = std::vector<Guess>;
 /// Proves bounds near guesses. With the weights w and a small e, it checks that high + e w is at least its image under
 /// any (minimum: one) policy, and that low - e w is at most its image under one (minimum: any) policy. By induction
 /// over the steps the values lie between them (Park's lemma; the last step uses that the equations have one solution).
-/// Rows in which the weights do not shrink, those of clearly worse choices, only allow an e that their distance from
-/// the best covers. Everything is rounded to the safe side, so the origin of the guesses does not matter. `most`: no
-/// value is above it. No value if no e satisfies the conditions.
+/// Rows of clearly worse choices, in which the weights do not shrink, limit e by their distance from the best choice.
+/// All rounding is to the safe side, so the origin of the guesses does not matter. `most`: an upper bound on all
+/// values. No value if no e satisfies the conditions.
 [[nodiscard]] std::optional<std::vector<Interval>> prove(const System<Interval>& system, Direction direction,
                                                          const Guesses& guesses, double most);
 
@@ -35,10 +35,10 @@ class GuessIteration {
 public:
     GuessIteration(const System<Interval>& system, Direction direction);
 
-    /// One sweep over the unknowns, last first; returns the greatest relative change.
+    /// Updates each unknown once, last first. Returns the greatest relative change.
     double sweep();
     [[nodiscard]] Guesses& guesses() { return guesses_; }
-    /// For the weights, choices whose worth is within this relative distance of the best count as equally good.
+    /// Choices whose worth is within this relative distance of the best are used together for the weights.
     void set_tie(double share) { tie_ = share; }
     /// The best choices according to the guesses.
     [[nodiscard]] Policy policy() const;

@@ -37,7 +37,7 @@ public:
     [[nodiscard]] const Integer& scale() const { return scale_; }
     [[nodiscard]] std::uint64_t entries() const { return unknown_.size(); }
 
-    /// multiplier x(row) - sum of factor x(j)
+    /// Computes multiplier * x(row) minus the sum of factor * x(j).
     template <class Numbers>
     [[nodiscard]] Integer left_side(std::size_t row, const Numbers& x) const {
         Integer result = multiplier_[row] * x[row];
@@ -92,7 +92,7 @@ public:
         rows_.numbers = numbers_;
     }
 
-    /// No value if the prime divides a denominator or a pivot, or if the limit is reached.
+    /// Returns no value if the prime divides a denominator or a pivot, or if the limit is reached.
     [[nodiscard]] std::optional<Factors<Residue<prime>>> factors(const EliminationLimit& limit) const {
         if (!exist_) return std::nullopt;
         Policy all(rows_.size());

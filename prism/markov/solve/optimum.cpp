@@ -52,8 +52,8 @@ private:
     static constexpr std::uint64_t few_rational_operations = 5'000'000;  // most of these are computed modulo a prime
     static constexpr double sharp = 1e-13;
 
-    /// Alternates elimination and sweeps, each time eight times as long: it is not known in advance which is faster,
-    /// and both together take little longer than the faster one.
+    /// Alternates elimination and sweeps, each time with eight times as much work. It is not known in advance which of
+    /// them is faster, and both together take little longer than the faster one.
     bool attempt() {
         if (!deterministic_ && sweep_up_to(first_sweeps))
             return true;  // eliminating a policy costs more than eliminating a chain
@@ -88,8 +88,8 @@ private:
         const auto improves = [this](double value, double offered) {
             return better(offered, value, asked_.direction) && std::abs(offered - value) > 1e-14 * std::abs(value);
         };
-        // After sweeps, the best choices according to the guesses are nearly right; for a minimum, they might never
-        // leave.
+        // After some sweeps, the best choices according to the guesses are nearly optimal. For a minimum, they might
+        // never leave the component.
         const bool guessed = sweeps_ > 0 && asked_.direction == Direction::maximum;
         auto found = iterate_policies<double>(
             system, guessed ? iteration_.policy() : leaving_policy(system_), limit, improves,
@@ -111,7 +111,8 @@ private:
         return reached;
     }
 
-    /// Values of the policy for both bounds of the constants, and weights over all choices that are as good.
+    /// Computes the values of the policy for both bounds of the constants, and weights over all choices that are
+    /// equally good.
     bool guess(System<double>& system, const SystemSolution<double>& found, const EliminationLimit& limit) {
         std::vector<double> low(system.size());
         std::vector<double> high(system.size());
@@ -140,7 +141,7 @@ private:
         return true;
     }
 
-    /// Tries a proof when the sweeps make no progress and, less and less often, before.
+    /// Tries a proof when the sweeps make no progress. Before that, it tries proofs less and less often.
     bool sweep_up_to(std::uint64_t most) {
         std::uint64_t next_proof = sweeps_ + 8;
         std::uint64_t failures = 0;

@@ -9,18 +9,19 @@
 
 namespace robochart::markov {
 
-/// Either every policy leaves with probability 1, or, for a minimum, any policy that does not has infinite value. Then
-/// the equations have one solution, which is the optimum (Bertsekas and Tsitsiklis, 1991).
+/// The equations of a component. Either every policy leaves with probability 1, or, for a minimum, every policy that
+/// does not has an infinite value. Then the equations have one solution, which is the optimum (Bertsekas and
+/// Tsitsiklis, 1991).
 struct Optimum {
     Direction direction;
     Precision precision;
 };
 
-/// By policy iteration, starting with a policy that leaves.
+/// Computes the optimum by policy iteration, starting with a policy that leaves.
 [[nodiscard]] SystemSolution<Rational> optimum(const System<Rational>& system, const Optimum& asked);
 
-/// Enclosures; if they cannot be made as narrow as requested, `shortfall` contains the reason. `most`: no value is
-/// above it.
+/// Computes enclosures. If they cannot be made as narrow as requested, `shortfall` contains the reason. `most`: an
+/// upper bound on all values.
 [[nodiscard]] SystemSolution<Interval> optimum(const System<Interval>& system, const Optimum& asked, double most,
                                                std::string& shortfall);
 

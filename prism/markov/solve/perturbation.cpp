@@ -20,7 +20,7 @@ Interval enclosing(const Rational& value) {
     return {low, high};
 }
 
-/// 1+d for these numbers, or infinity.
+/// Returns the factor 1+d for these numbers, or infinity.
 double spread(std::span<const Interval> numbers) {
     double factor = 1;
     for (const Interval& number : numbers)

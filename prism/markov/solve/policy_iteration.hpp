@@ -9,8 +9,8 @@
 
 namespace robochart::markov {
 
-/// The worth of a choice if it is repeated until another unknown is reached. It is as accurate as the sum of the
-/// probabilities to get there, and better than the value exactly if taking the choice once is better.
+/// Returns the worth of a choice if it is repeated until another unknown is reached. It is as accurate as the sum of
+/// the probabilities to leave. It is better than the value exactly if taking the choice once is better.
 template <class Value>
 [[nodiscard]] Value worth(const System<Value>& system, std::uint32_t unknown, std::uint32_t choice,
                           const std::vector<Value>& values) {

@@ -20,7 +20,7 @@ public:
     [[nodiscard]] Integer all() const { return of(0, digits_.size(), powers_.size()); }
 
 private:
-    /// The number with the digits from begin to end, at most 2^level digits.
+    /// Returns the number with the digits from `begin` to `end`, at most 2^level digits.
     [[nodiscard]] Integer of(std::size_t begin, std::size_t end, std::size_t level) const {
         if (begin >= end) return 0;
         if (end - begin == 1) return digits_[begin];
@@ -44,7 +44,7 @@ Integer from_digits(std::span<const std::uint32_t> digits, std::uint32_t base) {
 }
 
 std::optional<Fraction> reconstructed(const Integer& value, const Integer& modulus) {
-    // remainder = factor * value modulo modulus in each step; remainders decrease, factors grow
+    // In each step, remainder = factor * value modulo `modulus`. Remainders decrease and factors grow.
     const unsigned most = (bits(modulus) - 1) / 2;
     Integer before = modulus;
     Integer remainder = value;
@@ -75,7 +75,7 @@ CommonFractions common_fractions(std::size_t count, std::size_t first, const Int
     result.numerators.resize(count);
     for (std::size_t step = 0; step < count; ++step) {
         const std::size_t at = (first + step) % count;
-        // Usually the current denominator is also one of this value.
+        // Usually the current denominator is also a denominator of this value.
         auto fraction = reconstructed(Integer(value(at) * result.denominator % modulus), modulus);
         if (!fraction) {
             result.without = at;

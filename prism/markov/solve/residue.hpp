@@ -32,7 +32,7 @@ public:
     friend bool operator==(Residue, Residue) = default;
 
 private:
-    /// Its power prime - 2 (Fermat).
+    /// Returns the power prime - 2, which is the inverse (Fermat).
     [[nodiscard]] Residue inverse() const {
         Residue result(1);
         Residue square = *this;

@@ -13,7 +13,7 @@
 
 namespace robochart::markov {
 
-/// For the schedulers of an mdp; a dtmc has only one.
+/// The scheduler of an mdp that a query selects; a dtmc has only one.
 enum class Direction { minimum, maximum };
 
 struct Precision {

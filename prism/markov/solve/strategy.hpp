@@ -14,19 +14,20 @@ namespace robochart::markov {
 void lead_to(const Graph& graph, const EndComponent& component, std::uint32_t choice,
              std::vector<std::uint32_t>& strategy);
 
-/// Writes a strategy if one is requested. All states take their first choices unless a function of this class sets
-/// another one; the last call counts.
+/// Writes a strategy if one is requested. A state takes its first choice unless a function of this class sets another
+/// one. If several functions set it, the last call counts.
 class GraphStrategy {
 public:
     GraphStrategy(const Graph& graph, const Precision& precision, std::vector<std::uint32_t>& strategy);
 
-    /// In the states of the set: choices that stay in it.
+    /// Sets, in the states of the set, choices that stay in it.
     void stay(const StateSet& set);
-    /// In the states of the set outside the goal: choices with which the goal may be reached.
+    /// Sets, in the states of the set outside the goal, choices with which the goal may be reached.
     void may_reach(const StateSet& goal, const StateSet& set);
-    /// In the states of the set outside the goal: admitted choices that stay in the set until the goal is reached.
+    /// Sets, in the states of the set outside the goal, admitted choices that stay in the set until the goal is
+    /// reached.
     void reach(const StateSet& goal, const StateSet& set, const std::vector<bool>& admitted);
-    /// In the end component: this choice infinitely often.
+    /// Takes, in the end component, this choice infinitely often.
     void repeat(const EndComponent& component, std::uint32_t choice);
 
 private:

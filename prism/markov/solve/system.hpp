@@ -11,8 +11,8 @@
 
 namespace robochart::markov {
 
-/// Unknowns 0 .. size-1. The outside probability and the entries of every choice sum to exactly 1; no choice has only
-/// entries for its own unknown; constants are not negative.
+/// Unknowns 0 .. size-1. The probability to leave and the entries of each choice sum to exactly 1. No choice has
+/// entries only for its own unknown. Constants are not negative.
 template <class Value>
 struct System {
     std::vector<std::uint32_t> first_choice{0};  ///< unknowns + 1 elements
