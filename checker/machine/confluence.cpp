@@ -480,7 +480,7 @@ bool Confluence::commutes(const Part& part, const Part& other, Local local) cons
     });
 }
 
-/// Adds the states of the tracked components to which the other rule can lead, from index `slot` on.
+/// Adds the states of the tracked components to which the parts of the other rule, from index `place` on, can lead.
 void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::size_t place, std::span<Local> state,
                               Outcomes& next) const {
     const std::vector<Part>& parts = rules_->rules[other].parts;

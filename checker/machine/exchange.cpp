@@ -114,7 +114,7 @@ bool Exchange::map_regions() {
     return region_.back() + 1 == region_.size();
 }
 
-/// Condition 2, continued: the image of a region participates in the same place as the region.
+/// Condition 2, continued: the images of the participants of a region are the participants of its image.
 bool Exchange::map_participants(std::uint32_t region) {
     const auto key = [](bool is_region, std::uint32_t index) { return std::pair(is_region, index); };
     std::map<std::pair<bool, std::uint32_t>, std::uint32_t> numbers;

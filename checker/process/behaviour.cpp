@@ -33,8 +33,8 @@ struct Work {
     std::size_t parts = 0;
 };
 
-/// Breadth-first search over a process's terms and the number of events done. Finds a shortest run by these events to a
-/// state with the offer of `end`, if that is stable; no value if the limit on work is reached.
+/// Searches breadth first over pairs of a term and the number of events performed. Returns a shortest run with these
+/// events to a state with the offer of `end`, if `end` is stable. No value if the work limit is reached.
 std::optional<std::vector<Transition>> run_inside(OperationalSemantics& semantics, TermId from,
                                                   const std::vector<Event>& events, const Behaviour& end, Work& work) {
     struct Node {

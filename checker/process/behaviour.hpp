@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Takes a run of a process apart: what each operand of its operators did in it, down to the sequential components, as
+// Splits a run of a process into the behaviours of the operands of its operators, down to the sequential components, as
 // in FDR's debug tree. Applies the firing rules backwards (firing_rules.cpp, composition_rules.cpp).
 #pragma once
 
@@ -38,9 +38,9 @@ struct Behaviour {
     [[nodiscard]] std::vector<Event> events(bool with_taus) const;
 };
 
-/// Takes a run of `initial` apart. Each step's transition must be one of the semantics. The parts and the nesting of a
-/// very large run are taken apart only up to a limit. Without `offers`, the offers of the parts at the end are omitted,
-/// and no state after the run is computed.
+/// Splits a run of `initial`. Each step must be a transition of the semantics. If the run is very large, its parts and
+/// their nesting are split only up to a limit. Without `offers`, the offers of the parts at the end are omitted, and no
+/// state after the run is computed.
 [[nodiscard]] Behaviour behaviour(OperationalSemantics& semantics, TermId initial, const std::vector<Transition>& run,
                                   bool offers = true);
 
@@ -49,7 +49,7 @@ struct Move {
     TermId part;      ///< the component before the step
     Transition step;  ///< the component's own step
 };
-/// Takes one transition of a term apart. Computes no state after it.
+/// Splits one transition of a term into the moves of its components. Does not compute the states after it.
 [[nodiscard]] std::vector<Move> moves(OperationalSemantics& semantics, TermId term, const Transition& step);
 
 }  // namespace robochart::process

@@ -50,7 +50,8 @@ void FiringRules::tick_together(const Term& term, List& list) {
     if (all) list.push_back({tick, tick, omega_});
 }
 
-/// Every event of the term's set except tick that all participants perform; it is one that the first of them performs.
+/// Adds the synchronised steps for every event of the term's set, except tick, that all participants perform. Only
+/// events of the first participant need to be examined.
 void FiringRules::synchronise_all(const Term& term, const std::vector<std::size_t>& participants, List& list) {
     if (participants.empty()) return;
     Event last = tau;
@@ -61,7 +62,7 @@ void FiringRules::synchronise_all(const Term& term, const std::vector<std::size_
     }
 }
 
-/// All combinations of the participants' steps with one event, the last participant varying fastest.
+/// Adds all combinations of the participants' steps with one event. The last participant varies fastest.
 void FiringRules::synchronise(const Term& term, const std::vector<std::size_t>& participants, Event event, List& list) {
     std::vector<std::span<const Transition>> steps;
     for (std::size_t participant : participants) {

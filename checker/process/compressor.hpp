@@ -33,9 +33,9 @@ public:
 class Compressor {
 public:
     virtual ~Compressor() = default;
-    /// Explores the operand with a faster engine than its terms. The result may be a machine with fewer states, for
-    /// which the compression has the same result; no value if there is no such engine for it. Throws TooManyStates.
-    /// `poll` may throw to stop.
+    /// Explores the operand with a faster engine than its terms. The result may be a machine with fewer states if the
+    /// compression gives the same result for it. No value if there is no such engine for the operand. Throws
+    /// TooManyStates. `poll` may throw to stop.
     virtual std::optional<Machine> explore(TermId /*operand*/, Compression /*kind*/,
                                            const std::function<void()>& /*poll*/) {
         return std::nullopt;

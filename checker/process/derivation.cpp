@@ -29,7 +29,8 @@ private:
     [[nodiscard]] bool in_set(Event event) const {
         return event != tau && event != tick && terms_.contains(SetId{term_.payload}, event);
     }
-    /// A transition of the operand with `event`; to `target` if one is given. The same hidden event is preferred.
+    /// Returns a transition of the operand with `event`, and to `target` if it is given. Prefers a transition with the
+    /// same hidden event.
     std::optional<Transition> move(std::size_t operand, Event event, std::optional<TermId> target) {
         std::optional<Transition> found;
         for (const Transition& each : semantics_.successors(term_.children[operand])) {
@@ -44,7 +45,7 @@ private:
             if (std::ranges::find(movers, i) == movers.end() && target_.children[i] != term_.children[i]) return false;
         return true;
     }
-    /// All of these move with the step's event, and the operator stays.
+    /// All these operands move with the event of the step, and the operator stays.
     Found together(const std::vector<std::size_t>& movers) {
         if (!frame_stays() || !others_stay(movers)) return std::nullopt;
         Derivation result;
@@ -55,7 +56,7 @@ private:
         }
         return result;
     }
-    /// One moves with one of these events, and the operator stays.
+    /// One operand moves with this event, and the operator stays.
     Found alone(std::size_t operand, Event event) {
         if (!frame_stays() || !others_stay({operand})) return std::nullopt;
         const std::optional<Transition> own = move(operand, event, target_.children[operand]);
@@ -67,7 +68,7 @@ private:
             if (Found found = alone(i, step_.event)) return found;
         return std::nullopt;
     }
-    /// One moves, and its successor replaces the operator.
+    /// One operand moves, and its successor replaces the operator.
     Found resolved(std::size_t operand) {
         const std::optional<Transition> own = move(operand, step_.event, step_.target);
         if (!own) return std::nullopt;
@@ -85,7 +86,7 @@ private:
         if (!own) return std::nullopt;
         return Derivation{{{0, *own}}, 1, true};
     }
-    /// These terminate, and the result is Ω.
+    /// All these operands terminate, and the result is Ω.
     Found terminated(const std::vector<std::size_t>& movers) {
         Derivation result;
         for (std::size_t each : movers) {

@@ -23,7 +23,7 @@ struct Derivation {
 [[nodiscard]] std::string_view name_of(Compression kind);
 /// Whether the steps of the operator come from its operands.
 [[nodiscard]] bool is_operator(Op op);
-/// No value if the step is not one of the term's, or comes from no operand.
+/// Returns no value if the step is not a transition of the term, or if no operand causes it.
 [[nodiscard]] std::optional<Derivation> derivation(OperationalSemantics& semantics, TermId term,
                                                    const Transition& step);
 

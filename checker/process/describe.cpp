@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes process terms for readers. Evaluates nothing, so that a report never fails.
+// Describes process terms for readers. It evaluates no definition, so that a report never fails.
 #include <string>
 #include <string_view>
 
@@ -47,7 +47,7 @@ public:
                 return joined(term, " ⊓ ", depth);
             case Op::sync_interrupt:
                 return joined(term, " △ ", depth);
-            // These behave like their first operand until it ends.
+            // These operators behave like their first operand until it ends.
             case Op::sequential:
             case Op::interrupt:
             case Op::sliding:
@@ -79,8 +79,8 @@ private:
         return text;
     }
 
-    /// The description of the term that it represents, or else its number: a machine explored as a whole has no terms
-    /// for its states.
+    /// Describes the term that a state of a machine represents. A machine that was explored as a whole has no terms for
+    /// its states; its states are described by their numbers.
     std::string machine_state(const Term& state, int depth) {
         const Term& compressed = terms_[state.children[1]];
         if (state.children[0] != compressed.children.front()) return describe(state.children[0], depth + 1);
@@ -94,7 +94,7 @@ private:
                op == Op::internal_choice || op == Op::sync_interrupt;
     }
 
-    /// The first events that a prefix offers, because the name of its definition is unknown here.
+    /// Lists the first events that a prefix offers, because the name of its definition is unknown here.
     std::string prefix(const Term& term) const {
         constexpr std::size_t shown = 3;
         const std::vector<Branch>* branches = terms_.known_branches(term.payload);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t short_list = 24;
 
-/// The same for a few transitions, without a table.
+/// Does the same for a few transitions, without a table.
 void drop_repeated_targets_of_few(std::vector<Transition>& list) {
     std::size_t kept = 0;
     for (const Transition& step : list) {
@@ -26,7 +26,7 @@ void drop_repeated_targets_of_few(std::vector<Transition>& list) {
     list.resize(kept, Transition{tau, tau, TermId{0}});
 }
 
-/// Among the transitions with one event, keeps the first to each target.
+/// Keeps, among the transitions with one event, the first to each target.
 void drop_repeated_targets(std::vector<Transition>& list) {
     std::unordered_set<std::uint32_t> seen;
     Event event = 0;

@@ -27,9 +27,9 @@ class FiringRules {
 public:
     FiringRules(TermStore& terms, const KnownTransitions& known);
 
-    /// An operand whose transitions are needed next and are not known; no value if transitions() can be called.
+    /// Returns an operand whose transitions are needed next and are not known. No value if `transitions` can be called.
     std::optional<TermId> missing_operand(TermId);
-    /// Sorted by event, without duplicates.
+    /// Returns the transitions, sorted by event and without duplicates.
     std::vector<Transition> transitions(TermId);
     /// `poll` is called regularly if a term has many transitions; it may throw to stop. Empty: none.
     void watch(std::function<void()> poll) { poll_ = std::move(poll); }
@@ -66,7 +66,7 @@ private:
 
     [[nodiscard]] bool performs(TermId, Event) const;
     [[nodiscard]] std::span<const Transition> by_event(TermId, Event) const;
-    /// The operand that determines the behaviour of chase: the end of its first taus, or a state on a tau loop.
+    /// Returns the operand that determines the behaviour of chase: the end of its first taus, or a state on a tau loop.
     [[nodiscard]] TermId end_of_chase(TermId operand) const;
     TermId with_operand(const Term&, std::size_t position, TermId operand);
     void synchronise_all(const Term&, const std::vector<std::size_t>& participants, List&);

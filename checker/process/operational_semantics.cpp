@@ -16,8 +16,8 @@
 namespace robochart::process {
 namespace {
 
-/// Definitions that unfold each other this often without an event, or operators nested this deep, are assumed to be
-/// endless.
+/// Definitions that unfold each other this many times without an event are assumed to be endless. So are operators
+/// nested this deep.
 constexpr std::size_t deepest_nesting = 1'000'000;
 
 enum class Progress : std::uint8_t { unknown, pending, known };
@@ -133,7 +133,7 @@ Machine OperationalSemantics::Impl::explored(TermId operand) {
     return machine;
 }
 
-/// The compressed operand; no value if the operand has too many states.
+/// Returns the compressed operand. No value if the operand has too many states.
 std::optional<Machine> OperationalSemantics::Impl::smaller(TermId term) {
     constexpr int deepest = 200;
     refuse_unsupported(terms[term]);
@@ -157,8 +157,8 @@ std::optional<Machine> OperationalSemantics::Impl::smaller(TermId term) {
     return result;
 }
 
-/// The transitions of the compressed machine's initial state; its other states become terms whose transitions are
-/// known.
+/// Returns the transitions of the initial state of the compressed machine. The other states become terms whose
+/// transitions are known.
 std::vector<Transition> OperationalSemantics::Impl::compressed(TermId term) {
     const std::optional<Machine> made = smaller(term);
     if (!made) {
@@ -169,7 +169,8 @@ std::vector<Transition> OperationalSemantics::Impl::compressed(TermId term) {
         return {same.begin(), same.end()};
     }
     const Machine& machine = *made;
-    // A state's children: a term that it represents, the compressed term, and the first state unless it is the first.
+    // The children of a state: a term that it represents, the compressed term, and the first state (unless it is the
+    // first state itself).
     std::vector<TermId> states;
     for (TermId meaning : machine.meaning) {
         std::vector<TermId> operands{meaning, term};

@@ -41,10 +41,10 @@ using Interrupted = diagnostics::LimitReached;
 /// Computes and stores the transitions of the terms of one store.
 class OperationalSemantics {
 public:
-    /// With a compressor, a compressed term is explored as a whole when its transitions are first needed, and behaves
-    /// as the machine that the compressor returns. Without one, or if the operand has too many states, it behaves as
-    /// its operand. Use one object for each store: only the object that created the states of machines knows these
-    /// terms.
+    /// With a compressor, a compressed term is explored completely when its transitions are first needed, and behaves
+    /// as the machine that the compressor returns. Without a compressor, or if the operand has too many states, the
+    /// term behaves as its operand. Use one object for each store, because only the object that created the states of
+    /// machines knows these terms.
     explicit OperationalSemantics(TermStore& terms, Compressor* compressor = nullptr);
     ~OperationalSemantics();
     OperationalSemantics(const OperationalSemantics&) = delete;
@@ -54,7 +54,7 @@ public:
     /// Valid during the lifetime of this object. Throws SemanticsError, and the exceptions of the definitions.
     std::span<const Transition> successors(TermId term);
     [[nodiscard]] TermStore& terms() const;
-    /// The compressed terms so far whose operands have too many states.
+    /// The compressed terms so far that were not compressed, because their operands have too many states.
     [[nodiscard]] const std::set<TermId>& left_out() const;
     /// `poll` is called regularly while a compressed operand is explored; it may throw to stop. Empty: none.
     void watch(std::function<void()> poll);

@@ -14,7 +14,7 @@ bool contains(const EventSet& set, Event event) {
     return std::ranges::binary_search(set, event);
 }
 
-/// The events that are reachable by chains of pairs.
+/// Returns the events that chains of pairs reach from `from`.
 std::set<Event> reached(const Below& direct, Event from) {
     std::set<Event> found;
     std::vector<Event> work{from};

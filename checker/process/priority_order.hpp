@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The orders of prioritise and prioritisepo (FDR manual, there; Roscoe, UCS 20.2: prioritise by a partial order).
+// The orders of prioritise and prioritisepo (FDR manual; Roscoe, UCS 20.2).
 #pragma once
 
 #include <variant>
@@ -11,10 +11,11 @@ namespace robochart::process {
 /// The event neither prevents nor is prevented.
 inline constexpr std::uint32_t no_level = 0xffffffffU;
 
-/// For each event its level in the order of a prioritise; events after the end of the vector have none (no_level).
+/// Returns the level of each event in the order of a prioritise. Events after the end of the vector have no level
+/// (no_level).
 [[nodiscard]] std::vector<std::uint32_t> levels_of(const PriorityOrder& order);
 
-/// Why events and pairs are not an order that prioritisepo accepts.
+/// The reason why events and pairs are not an order that prioritisepo accepts.
 struct OrderFault {
     enum class Kind {
         missing,      ///< the event is in a pair or maximal, but not among the prioritised events
@@ -25,8 +26,8 @@ struct OrderFault {
     Event event;
 };
 
-/// All pairs (higher, lower), ascending: the transitive closure of the given ones; tau and tick are above every
-/// prioritised event that is not maximal. The sets must be ascending.
+/// Returns all pairs (higher, lower), ascending. They are the transitive closure of the given pairs; tau and tick are
+/// above every prioritised event that is not maximal. The sets must be ascending.
 [[nodiscard]] std::variant<Renaming, OrderFault> priority_order(const EventSet& prioritised,
                                                                 const std::vector<EventPair>& pairs,
                                                                 const EventSet& maximal);

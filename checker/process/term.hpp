@@ -134,7 +134,7 @@ public:
     /// Unfolds calls: returns the first term that is not a call, or the last one after `most` unfoldings.
     TermId unfolded(TermId term, int most);
     const std::vector<Branch>& branches(std::uint32_t prefix);  ///< memoised
-    /// The branches if they have already been computed; evaluates nothing.
+    /// Returns the branches if they have already been computed. Evaluates nothing.
     [[nodiscard]] const std::vector<Branch>* known_branches(std::uint32_t prefix) const;
     [[nodiscard]] const Definitions& definitions() const { return *definitions_; }
     [[nodiscard]] EventTable& events() { return events_; }

@@ -113,7 +113,7 @@ private:
         return result;
     }
 
-    /// X of a formula, with the X moved inside its operator.
+    /// Returns X of a formula, with the X moved inside the outermost operator.
     FormulaId inwards(FormulaId id) {
         const Formula formula = formulas_[id];
         switch (formula.form) {
@@ -132,7 +132,7 @@ private:
         }
     }
 
-    /// The operands of nested `form` (both or either), split into tails and others.
+    /// Collects the operands of nested `form` (both or either), split into tails and other operands.
     void operands(FormulaId id, Form form, std::vector<FormulaId>& tails, std::vector<FormulaId>& others) const {
         const Formula& formula = formulas_[id];
         if (formula.form != form) return (formula.tail ? tails : others).push_back(id);
@@ -149,7 +149,7 @@ private:
     std::vector<Conjunction> until(const Formula& formula) {
         if (!formula.steps.any()) throw NotDecided(beyond);
         const Formula right = formulas_[formula.b];
-        // If prefixes do not matter, the formula holds now or never
+        // If prefixes do not matter, a U b holds if and only if b holds now.
         if (right.tail) return (*this)(formula.b);
         if (right.form == Form::either)
             return any((*this)(formulas_.until(formula.a, right.a)), (*this)(formulas_.until(formula.a, right.b)));

@@ -34,7 +34,7 @@ public:
     }
 
 private:
-    /// The product state after the automaton in state `before` reads a state of the model.
+    /// Returns the product state in which the automaton, coming from `before`, has read a state of the model.
     markov::State at(markov::State state, Automaton::State before) {
         const Automaton::State now = automaton_.after(before, letters_[state]);
         const auto [found, fresh] =
@@ -92,7 +92,7 @@ markov::StateSet done(const Product& product, const Automaton& automaton, std::s
     return result;
 }
 
-/// In an end component, a part that is not `always` is fulfilled in all states or in none, and batches of an `always`
+/// In an end component, a part that is not `always` is fulfilled in all states or in none. The batches of an `always`
 /// are fulfilled infinitely often, or never from some time on. A scheduler can visit all states of a component
 /// infinitely often.
 markov::StateSet winning(const Product& product, const Automaton& automaton, const Condition& condition,

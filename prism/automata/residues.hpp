@@ -36,7 +36,7 @@ public:
     explicit Residues(Formulas& formulas);
 
     [[nodiscard]] ResidueId of(FormulaId formula);
-    /// The rest of the formula after a state. Throws NotDecided.
+    /// Returns the rest of the formula after a state. Throws NotDecided.
     [[nodiscard]] ResidueId after(ResidueId residue, Letter letter);
     [[nodiscard]] ResidueId both(ResidueId a, ResidueId b) { return choice(a, b, no); }
 

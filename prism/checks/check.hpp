@@ -10,10 +10,10 @@
 
 namespace robochart::prism {
 
-/// No value, with findings, if a rule is violated.
+/// Returns no value, and reports findings, if a rule is violated.
 [[nodiscard]] std::optional<CheckedModel> check_model(const ModelFile& file, diagnostics::Diagnostics& diagnostics);
 
-/// Properties over a model. The result contains the properties without errors, even if there are findings.
+/// Checks properties over a model. The result contains the properties without errors, even if there are findings.
 [[nodiscard]] CheckedProperties check_properties(const CheckedModel& model, const PropertyFile& file,
                                                  diagnostics::Diagnostics& diagnostics);
 

@@ -73,7 +73,8 @@ private:
             model_.modules.push_back(std::move(module));
             return;
         }
-        // The base may be declared before or after; it may itself be renamed if it is declared before.
+        // The base may be declared before or after the renamed module. A base that is itself renamed must be declared
+        // before.
         const auto named = [&](const Module& each) { return each.name.text == written.base.text; };
         const auto above = std::ranges::find_if(model_.modules, named);
         if (above != model_.modules.end()) return add_renamed(written, *above);
@@ -101,7 +102,7 @@ private:
         }
     }
 
-    /// Replaces names after the expansion of formulas; functions and actions are renamed too.
+    /// Replaces names after the expansion of formulas. Functions and actions can be renamed too.
     void add_renamed(const Module& written, Module base) {
         std::map<std::string, std::string, std::less<>> names;
         Rewriter rewriter;
@@ -188,7 +189,7 @@ private:
                 types.expect(item.value, Type::real);
             }
         check_actions();
-        // errors in a base are reported only there
+        // Errors in a base are reported only for the base.
         const std::size_t errors = diagnostics_.errors();
         for (const bool renamed : {false, true})
             for (const Module& module : model_.modules)
@@ -197,8 +198,8 @@ private:
                         check_command(module, command, types);
     }
 
-    /// Actions are those of commands, and the new names in the composition. A model without any command gets its
-    /// transitions from elsewhere (GivenSpace).
+    /// The actions of a model are those of its commands, and the new names in the composition. A model without commands
+    /// gets its transitions from elsewhere (GivenSpace).
     void check_actions() {
         std::set<std::string> actions;
         bool commands = false;
@@ -280,7 +281,7 @@ private:
     CheckedModel model_;
     Rewriter formulas_;
     Scope scope_;
-    /// by variable: the module that may write it; no value: it is global
+    /// For each variable, the module that may write it. No value for a global variable.
     std::map<std::string, std::optional<std::string>, std::less<>> writer_;
 };
 

@@ -91,7 +91,7 @@ private:
         }
     }
 
-    /// The labels in an expression as names, for sorting.
+    /// Returns the labels of an expression as names, for sorting.
     static ExprPtr references(const ExprPtr& expr) {
         std::set<std::string> labels;
         std::set<const Expr*> seen;

@@ -17,7 +17,7 @@ struct Defined {
     ExprPtr body;
 };
 
-/// The indices in sorted order. Definitions that depend on themselves are reported and left out.
+/// Returns the indices in sorted order. Definitions that depend on themselves are reported and left out.
 [[nodiscard]] std::vector<std::size_t> definition_order(const std::vector<Defined>& definitions,
                                                         diagnostics::Diagnostics& diagnostics);
 

@@ -29,7 +29,8 @@ struct Scope {
     std::map<std::string, std::optional<Type>, std::less<>> named;
 };
 
-/// Types of trees in a scope. A type error is reported, and the tree then has no type.
+/// Determines the types of trees in a scope. If a tree has a type error, the error is reported, and the tree has no
+/// type.
 class TypeChecker {
 public:
     TypeChecker(const Scope& scope, diagnostics::Diagnostics& diagnostics) : scope_(scope), diagnostics_(diagnostics) {}

@@ -59,7 +59,7 @@ public:
     void evaluate_guards(StateValues state);
     /// The effects of one command that is enabled in the state.
     void evaluate_effects(std::uint32_t command, StateValues state) { evaluate_effects(commands_[command], state); }
-    /// The enabled commands of a group, as indices for `effects`.
+    /// Returns the enabled commands of a group, as indices for the effects of commands.
     [[nodiscard]] const std::vector<std::uint32_t>& enabled(std::uint32_t group) const { return enabled_[group]; }
     [[nodiscard]] const std::vector<Effect>& effects(std::uint32_t command) const { return commands_[command].effects; }
     [[nodiscard]] const Write* write(std::uint32_t index) const { return writes_.data() + index; }
@@ -70,7 +70,7 @@ public:
     }
 
 private:
-    /// A number in the text: constant, or evaluated from the values of variables.
+    /// A probability in the text: a constant, or an expression that is evaluated from the values of variables.
     struct Probability {
         bool fixed = true;
         NumberTable::Id id = NumberTable::one;

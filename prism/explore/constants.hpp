@@ -8,8 +8,8 @@
 
 namespace robochart::prism {
 
-/// Adds the values of the constants to those known. `given`: values of constants without definition, by name; an int is
-/// converted for a double. Throws EvaluationError if a constant has no value, unless they are `optional`.
+/// Adds the values of the constants to the known values. `given`: values of constants without definition, by name; an
+/// int is converted for a double. Throws EvaluationError if a constant has no value, unless `optional` is set.
 void evaluate_constants(const std::vector<Constant>& constants, const Values& given, Values& known,
                         bool optional = false);
 

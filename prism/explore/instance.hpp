@@ -22,11 +22,12 @@ public:
     /// Values of the constants of the model.
     [[nodiscard]] const Values& constants() const { return constants_; }
     [[nodiscard]] const Layout& layout() const { return layout_; }
-    /// Code for expressions over its states, with more constants. In a state, two booleans with the names below may
-    /// follow the values of the variables. Throws EvaluationError.
+    /// Returns code for expressions over the states, with more constants. In a state, two booleans with the names below
+    /// may follow the values of the variables. Throws EvaluationError.
     [[nodiscard]] Code code(const Values& more = {}) const;
 
-    /// Names of booleans in a state that are not variables: whether it is a deadlock, whether it is initial.
+    /// Names of booleans that follow the variables in a state: whether the state is a deadlock, and whether it is
+    /// initial.
     static constexpr const char* deadlock_name = "\"deadlock\"";
     static constexpr const char* initial_name = "\"init\"";
 
@@ -36,8 +37,8 @@ private:
     Layout layout_;
 };
 
-/// Calls `found` with the values of each initial state. States of init ... endinit are found by trying values: every
-/// conjunct is evaluated as soon as its variables have values. Throws EvaluationError.
+/// Calls `found` with the values of each initial state. To find the states of init ... endinit, it assigns values and
+/// evaluates every conjunct as soon as its variables have values. Throws EvaluationError.
 void list_initial_states(const Instance& instance, Code& code, diagnostics::Budget* budget,
                          const std::function<void(const std::int32_t*)>& found);
 

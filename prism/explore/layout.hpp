@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the values of variables are packed in the words of a state: as many bits as the range needs, not crossing a word
-// boundary.
+// Packs the values of variables into the words of a state. A value takes as many bits as its range needs and does not
+// cross a word boundary.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ public:
     }
     /// "x=1, y=false".
     [[nodiscard]] std::string text(const std::int32_t* values) const;
-    /// The same for the variables whose values differ from `before`; for all if `before` is null.
+    /// The same for the variables whose values differ from `before`. If `before` is null, all variables are included.
     [[nodiscard]] std::string changes(const std::int32_t* before, const std::int32_t* after) const;
 
 private:

@@ -31,9 +31,9 @@ public:
     /// `space` must outlive the object.
     explicit MoveReader(const StateSpace& space);
 
-    /// The commands for a choice of a state; if `to` is given, only those that may lead to it. There are several
-    /// elements in a dtmc, which draws one of them, and for choices of an mdp that count as one. Empty for the loop of
-    /// a deadlock.
+    /// Returns the commands for a choice of a state; if `to` is given, only those that may lead to it. In a dtmc there
+    /// may be several elements, of which the model draws one. In an mdp there are several if different commands form
+    /// the same choice. Empty for the loop of a deadlock.
     [[nodiscard]] std::vector<Move> moves(markov::State state, std::uint32_t choice,
                                           std::optional<markov::State> to = {});
 

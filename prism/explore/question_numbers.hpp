@@ -10,7 +10,7 @@
 
 namespace robochart::prism {
 
-/// Inclusive; without `to` there is no upper bound.
+/// An inclusive range of steps. Without `to` there is no upper bound.
 struct StepRange {
     std::uint64_t from = 0;
     std::optional<std::uint64_t> to;
@@ -18,11 +18,11 @@ struct StepRange {
 
 /// `F<k` is `F<=k-1`, `F>k` is `F>=k+1`. Throws EvaluationError for a negative number or an empty interval.
 [[nodiscard]] StepRange step_range(const StepBound& steps, Code& code);
-/// A number of steps: not negative.
+/// Evaluates a number of steps, which must not be negative.
 [[nodiscard]] std::uint64_t step_number(const ExprPtr& expr, Code& code);
-/// The bound of P, S or R: not negative, and at most 1 for a probability. Throws EvaluationError.
+/// Evaluates the bound of P, S or R. It must not be negative, and at most 1 for a probability. Throws EvaluationError.
 [[nodiscard]] Real bound_of(const Expr& question, Code& code);
-/// The reward structure of an R query: by its name, by its number counted from 1, or the first by default. Throws
+/// Returns the reward structure of an R query: by name, by number counted from 1, or the first one by default. Throws
 /// EvaluationError.
 [[nodiscard]] std::size_t reward_index(const Query& query, const CheckedModel& model, Code& code);
 

@@ -22,7 +22,7 @@ unsigned bits(const Integer& value) {
     return value.is_zero() ? 0 : static_cast<unsigned>(msb(abs(value))) + 1;
 }
 
-/// Widened by a few units in the last place, the possible error of the mathematical library.
+/// Widens a value by a few units in the last place, which covers the error of the mathematical library.
 Enclosure around(double value) {
     double low = value;
     double high = value;
@@ -150,7 +150,8 @@ Real infinite(bool positive) {
     return positive ? Enclosure{infinity, infinity} : Enclosure{-infinity, -infinity};
 }
 
-/// Throws if there is no value: always, or only for some values of an enclosure.
+/// Throws an error for an operation without a value. `certain`: it has no value for any number of the enclosure;
+/// otherwise for some of them.
 [[noreturn]] void no_value(bool certain, const std::string& what) {
     if (certain) throw std::domain_error(what + " has no value");
     throw Unclear("whether it is " + what + " is not known");
@@ -201,7 +202,7 @@ Real operator/(const Real& a, const Real& b) {
 
 namespace {
 
-/// One of them must be known to be infinite.
+/// The base or the exponent must be known to be infinite.
 Real infinite_power(const Real& base, const Real& exponent) {
     const auto compared = [](const Real& a, std::int64_t b) { return a.compare(Real(b)); };
     if (base.infinite()) {
@@ -263,7 +264,7 @@ Real natural_logarithm(const Real& value) {
 }  // namespace
 
 Real logarithm(const Real& value, const Real& base) {
-    // Whole powers of the base, as in log(8,2), are exact.
+    // The logarithm of a whole power of the base, such as log(8,2), is exact.
     if (value.exact() && value.value() > 0 && base.exact() && base.value() > 1) {
         const double near = std::round(std::log(value.bounds().low) / std::log(base.bounds().low));
         if (std::abs(near) <= 4096 && power(base, Real(static_cast<std::int64_t>(near))).compare(value) == 0)

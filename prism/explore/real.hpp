@@ -41,12 +41,12 @@ public:
     [[nodiscard]] Enclosure bounds() const { return exact_ ? enclose(value_) : bounds_; }
     [[nodiscard]] bool infinite() const;  ///< known to be infinite
     [[nodiscard]] bool finite() const;    ///< known to be finite
-    /// Returns -1, 0, 1 for less than, equal to, greater than; no value if the enclosures overlap.
+    /// Returns -1, 0 or 1 for less than, equal to or greater than. No value if the enclosures overlap.
     [[nodiscard]] std::optional<int> compare(const Real& other) const;
     /// "1/3", "0.25", "between 0.1 and 0.2".
     [[nodiscard]] std::string text() const;
 
-    // Throw std::domain_error if there is no value, as in 0/0 and Infinity - Infinity, and Unclear.
+    // The operators throw std::domain_error if there is no value, as in 0/0 and Infinity - Infinity, and Unclear.
     friend Real operator+(const Real& a, const Real& b);
     friend Real operator-(const Real& a, const Real& b);
     friend Real operator*(const Real& a, const Real& b);
@@ -58,15 +58,15 @@ private:
     Enclosure bounds_;
 };
 
-// Throw std::domain_error if there is no value, and Unclear.
+// The following functions throw std::domain_error if there is no value, and Unclear.
 [[nodiscard]] Real power(const Real& base, const Real& exponent);
 [[nodiscard]] Real logarithm(const Real& value, const Real& base);
-/// The lesser or the greater of two; an enclosure of it if they cannot be compared.
+/// Returns the lesser or the greater of two numbers. Returns an enclosure of it if they cannot be compared.
 [[nodiscard]] Real extreme(const Real& a, const Real& b, bool least);
-/// The greatest integer that is not greater; no value if the enclosure does not determine it. Throws std::domain_error
-/// for infinity.
+/// Returns the greatest integer that is not greater than the number. No value if the enclosure does not determine it.
+/// Throws std::domain_error for infinity.
 [[nodiscard]] std::optional<Rational> floor_of(const Real& value);
-/// A fraction for readers: as a decimal if it is short, otherwise as a fraction.
+/// Returns a fraction for readers: as a decimal if it is short, otherwise as a fraction.
 [[nodiscard]] std::string fraction_text(const Rational& value);
 
 }  // namespace robochart::prism

@@ -10,8 +10,8 @@
 
 namespace robochart::prism {
 
-/// The rewards of matching items are added. In a dtmc the single choice of a state represents all combinations of
-/// commands, equally likely: its reward is the mean of theirs.
+/// Adds up the rewards of matching items. In a dtmc the single choice of a state represents all combinations of
+/// commands, which are equally likely. Its reward is the mean of their rewards.
 class RewardTable {
 public:
     RewardTable(const StateSpace& space, const RewardStructure& structure, bool exact)
@@ -83,7 +83,7 @@ private:
 
     void choices(markov::State state) {
         const markov::Model& chain = space_.chain_;
-        // The loop added at a deadlock earns nothing; given states have no added loops.
+        // A loop that was added at a deadlock earns no reward. Given states have no such loops.
         const bool deadlock = space_.deadlocks_[state] && !space_.given_;
         if (chain.kind == markov::Kind::dtmc)
             return add(deadlock ? NumberTable::zero : mean(), result_.choice, result_.exact_choice);

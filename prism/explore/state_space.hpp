@@ -36,7 +36,8 @@ public:
     /// LimitReached.
     StateSpace(const CheckedModel& model, const Values& constants, const ExploreOptions& options,
                diagnostics::Diagnostics& diagnostics);
-    /// For given states: the model provides the names of their variables and the rewards. Throws EvaluationError.
+    /// Creates the space from given states. The model provides the names of their variables and the rewards. Throws
+    /// EvaluationError.
     StateSpace(const CheckedModel& model, const Values& constants, GivenSpace given, const ExploreOptions& options,
                diagnostics::Diagnostics& diagnostics);
 
@@ -66,7 +67,7 @@ public:
     [[nodiscard]] Code code(const Values& more) const { return instance_.code(more); }
     /// The states in which a bool expression holds; labels of the model, "deadlock" and "init" must have been replaced.
     [[nodiscard]] markov::StateSet satisfying(const Code& code, Code::Root root) const;
-    /// The rewards of a structure, by its index; `exact`: with fractions.
+    /// Returns the rewards of a structure, given by its index. `exact`: whether to include fractions.
     [[nodiscard]] markov::Rewards rewards(std::size_t structure, bool exact) const;
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random numbers of one path: SplitMix64 with a separate increment for each path, the way in which its authors split
+// The random numbers of one path: SplitMix64 with a separate increment for each path. This is how its authors split
 // generators (Steele, Lea, Flood: Fast splittable pseudorandom number generators, OOPSLA 2014). So a path depends only
-// on the seed and its number, and not on the thread that computes it.
+// on the seed and on its number, and not on the thread that computes it.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@ public:
 
     /// The next 64 bits.
     std::uint64_t next() { return diagnostics::splitmix64_mixed(state_ += increment_); }
-    /// Uniform in [0, 1), a multiple of 2^-53.
+    /// Returns a number that is uniform in [0, 1), a multiple of 2^-53.
     double unit() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
-    /// Uniform below a count, which must not be 0. Rejection sampling avoids a bias.
+    /// Returns a number that is uniform below `count`, which must not be 0. Rejection sampling avoids a bias.
     std::uint64_t below(std::uint64_t count) {
         const std::uint64_t refused = (0 - count) % count;
         while (true)

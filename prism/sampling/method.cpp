@@ -23,7 +23,7 @@ std::optional<Number> number(const std::string& text) {
     return value;
 }
 
-/// A number strictly between 0 and 1.
+/// Parses a number strictly between 0 and 1.
 double share(const std::string& part, const std::string& text) {
     const std::optional<double> value = number<double>(text);
     if (!value || !(*value > 0 && *value < 1)) throw BadMethod(part + ": expected a number between 0 and 1");

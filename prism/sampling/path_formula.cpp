@@ -8,7 +8,7 @@
 namespace robochart::prism {
 namespace {
 
-/// Other labels become names of booleans. Throws Unsampled if the expression contains a query.
+/// Converts other labels to names of booleans. Throws Unsampled if the expression contains a query.
 ExprPtr state_expression(const ExprPtr& expr) {
     if (expr->op == Op::label)
         return make_expr(Op::name, expr->span, {},
@@ -113,7 +113,7 @@ void PathFormula::observe(Until& until, StateValues values) const {
         until.holds = false;
 }
 
-/// Something that has not happened in any of the repeated states never happens.
+/// An event that has not happened in any of the repeated states never happens.
 void PathFormula::repeats(std::uint64_t period) {
     for (Until& each : untils_)
         if (!each.holds && seen_ >= each.begin + each.steps.from + period) each.holds = false;

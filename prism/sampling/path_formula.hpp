@@ -11,9 +11,9 @@
 
 namespace robochart::prism {
 
-/// Supported: X, F, G, U, W and R of state formulas, with bounds on the steps, under any number of X, and !, &, |, =>,
-/// <=> over them. All are reduced to `left U right` from some state of the path: F a is true U a, G a is !F !a, a W b
-/// is !((a & !b) U (!a & !b)), a R b is !(!a U !b); a state formula a is F<=0 a.
+/// Supports X, F, G, U, W and R of state formulas, with bounds on the steps, below any number of X, and !, &, |, =>,
+/// <=> over such formulas. All are reduced to `left U right` from some state of the path: F a is true U a, G a is !F
+/// !a, a W b is !((a & !b) U (!a & !b)), a R b is !(!a U !b), and a state formula a is F<=0 a.
 class PathFormula {
 public:
     /// Labels must have been replaced, except for "deadlock" and "init". Throws Unsampled, EvaluationError.
@@ -23,7 +23,7 @@ public:
     void restart();
     /// Processes the next state of the path. Throws EvaluationError.
     void observe(StateValues state);
-    /// The last `period` states repeat forever.
+    /// States that the last `period` states of the path repeat forever.
     void repeats(std::uint64_t period);
     /// Whether the formula holds; no value if this is not known yet.
     [[nodiscard]] std::optional<bool> holds() const { return holds(root_); }

@@ -48,7 +48,7 @@ Sample PathQuestion::ask(const Draws& draws, std::uint64_t most_steps, diagnosti
     }
 }
 
-/// The answer of the path in its current state, if it is known.
+/// Returns the answer of the path in its current state, if it is known.
 std::optional<double> PathQuestion::answer() {
     if (kind_ == Op::cumulative) return walk_.length() == steps_ ? std::optional(earned_) : std::nullopt;
     if (kind_ == Op::instantaneous)

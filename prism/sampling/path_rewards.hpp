@@ -16,8 +16,7 @@ public:
     /// `structure` must outlive the object. Throws EvaluationError.
     PathRewards(const RewardStructure& structure, const std::vector<std::string>& actions, Code& code);
 
-    // Both throw EvaluationError.
-    /// The reward of being in a state.
+    // Both functions throw EvaluationError. This one returns the reward of being in a state.
     [[nodiscard]] double of_state(StateValues state) const { return sum(of_states_, state); }
     /// The reward of leaving a state with an action.
     [[nodiscard]] double of_step(StateValues state, std::uint32_t action) const {

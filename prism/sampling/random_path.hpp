@@ -22,8 +22,9 @@ struct RandomPath {
     bool deadlock = false;  ///< its last state is a deadlock
 };
 
-/// The path with this number, as followed by samples with that seed: at most `steps` steps, ending at a deadlock. The
-/// model must be a dtmc with one initial state. Throws Unsampled, EvaluationError, LimitReached.
+/// Returns the path with this number, which is the path that samples with the same seed follow. It has at most `steps`
+/// steps and ends at a deadlock. The model must be a dtmc with one initial state. Throws Unsampled, EvaluationError,
+/// LimitReached.
 [[nodiscard]] RandomPath random_path(const Instance& instance, std::uint64_t seed, std::uint64_t number,
                                      std::uint64_t steps, diagnostics::Budget* budget);
 

@@ -43,7 +43,7 @@ Sample Sampler::next() {
     return block_[taken_++];
 }
 
-/// Blocks grow, so that few samples are computed but not used.
+/// Blocks grow over time, so that few samples are computed in vain.
 void Sampler::fill() {
     finished_ += block_.size();
     taken_ = 0;

@@ -10,12 +10,12 @@
 
 namespace robochart::prism {
 
-/// Sample i is the result of path i: it depends only on the seed and on i. Samples are computed in advance in blocks,
-/// whose sizes do not depend on the number of threads either.
+/// Sample i is the result of path i, so it depends only on the seed and on i. Samples are computed in advance in
+/// blocks. The sizes of blocks do not depend on the number of threads.
 class Sampler {
 public:
-    /// `question` is as for PathQuestion; `instance` must outlive the object. `constants` are those of the properties.
-    /// At most `most` samples are computed. Throws Unsampled, EvaluationError.
+    /// `question` must be supported by PathQuestion. `instance` must outlive the object. `constants` are those of the
+    /// properties. Computes at most `most` samples. Throws Unsampled, EvaluationError.
     Sampler(const Instance& instance, const Expr& question, const Values& constants, std::uint64_t most,
             const SamplingOptions& options);
     ~Sampler();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why samples cannot answer a query.
+// The exception for queries that samples cannot answer.
 #pragma once
 
 #include <stdexcept>

@@ -45,7 +45,7 @@ void Walk::begin(const Draws& draws) {
     arrive();
 }
 
-/// Finds the combinations that are possible next, also for the label "deadlock".
+/// Finds the combinations of commands that are possible next. They also determine the label "deadlock".
 void Walk::arrive() {
     try {
         left_out_.refuse(values_.data());

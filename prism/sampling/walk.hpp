@@ -25,8 +25,7 @@ public:
     Walk(const Instance& instance, Code& code, std::vector<std::int32_t> initial,
          diagnostics::Diagnostics& diagnostics);
 
-    // These throw EvaluationError.
-    /// Returns to the initial state, with new random numbers.
+    // The following functions throw EvaluationError. This one returns to the initial state, with new random numbers.
     void begin(const Draws& draws);
     /// Draws the commands that act next; returns their action as an index into `actions`, or no value in a deadlock.
     std::optional<std::uint32_t> choose();
@@ -41,7 +40,7 @@ public:
     /// The number of steps so far.
     [[nodiscard]] std::uint64_t length() const { return length_; }
     [[nodiscard]] const std::vector<std::string>& actions() const { return commands_.actions(); }
-    /// The number of states that repeat forever, if it is known that the path has no more choices.
+    /// The number of states that repeat forever, if it is known that all further steps of the path are determined.
     [[nodiscard]] std::optional<std::uint64_t> period() const { return period_; }
 
 private:
@@ -65,8 +64,8 @@ private:
     const CommandTable::Act* act_ = nullptr;  ///< the drawn synchronisation; null: none
     std::vector<std::uint32_t> chosen_;       ///< the drawn commands
     bool forced_ = true;                      ///< the last step was the only possible one
-    // Brent, An improved Monte Carlo factorization algorithm, BIT 20, 1980: a state for comparison, replaced each time
-    // after twice as many steps.
+    // A state for comparison, which is replaced each time after twice as many steps (Brent, An improved Monte Carlo
+    // factorization algorithm, BIT 20, 1980).
     std::vector<std::int32_t> anchor_;
     std::uint64_t anchored_at_ = 0, patience_ = 1;
     std::optional<std::uint64_t> period_;

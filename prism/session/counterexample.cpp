@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// See counterexample.hpp. An upper bound is violated if the formula is too likely, a lower bound if its negation is.
-// Either is a reachability probability, see docs/probability.md, "Counterexamples": if `left U right` is too unlikely,
-// paths to states from which it has probability 0 are too likely.
-#include "prism/session/counterexample.hpp"
+// See counterexample.hpp. An upper bound is violated if the formula is too likely; a lower bound is violated if the
+// negation of the formula is too likely. Both are probabilities to reach states (docs/probability.md,
+// "Counterexamples"). If `left U right` is too unlikely, the paths to states from which it has probability 0 are too
+// likely.
+#include "checker/prism/counterexample.hpp"
 
 #include <algorithm>
 
@@ -108,7 +109,7 @@ public:
         return result.count == 0 ? std::nullopt : std::optional(std::move(result));
     }
 
-    /// A scheduler that attains the value of a query.
+    /// Returns a scheduler that attains the value of a query.
     std::vector<std::uint32_t> best(const Expr& question) {
         constexpr const char* supported =
             "a strategy exists for P [ F, G, U, W, R ], R [ F ] and R [ C ] without steps";
@@ -145,7 +146,7 @@ private:
         if (result.scheduled) strategy_ = until(reach, !result.never);
     }
 
-    /// Replaces the event by reaching states in which it has become impossible.
+    /// Replaces the event by its negation: reaching states from which it has become impossible.
     void avoid(Event& event) const {
         const markov::Model chain = induced(space_.chain(), strategy_);
         markov::StateSet never = prob0a(markov::Graph(chain), event.left, event.right);

@@ -38,15 +38,15 @@ struct Counterexample {
     static constexpr std::size_t most_kept = 100;
 };
 
-/// For P with a bound, of F, G, U, W or R of state formulas, that is violated in an initial state. No value for other
-/// properties, and if a scheduler would need to know the number of steps. Labels must have been replaced. Throws
+/// Explains a violated bound on P of F, G, U, W or R of state formulas in an initial state. No value for other
+/// properties, or if a scheduler would need to know the number of steps. Labels must have been replaced. Throws
 /// EvaluationError, Undecided, LimitReached.
 [[nodiscard]] std::optional<Counterexample> counterexample(const StateSpace& space, Code& code, const ExprPtr& question,
                                                            const EvaluatorOptions& options);
 
-/// The choices of a scheduler that attains the value of P or R without a step bound (within the width of the
-/// enclosures); for each state an index into the choices of the model. Throws as above, and Undecided if no memoryless
-/// scheduler attains it.
+/// Returns the choices of a scheduler that attains the value of P or R without a step bound (within the width of the
+/// enclosures). For each state, the choice is an index into the choices of the model. Throws the exceptions of
+/// `counterexample`, and Undecided if no memoryless scheduler attains the value.
 [[nodiscard]] std::vector<std::uint32_t> best_choices(const StateSpace& space, Code& code, const ExprPtr& question,
                                                       const EvaluatorOptions& options);
 

@@ -24,7 +24,7 @@ markov::StateSet Evaluator::initial() const {
     return result;
 }
 
-/// Whether it contains a query, or a label that is not defined by a formula of the model.
+/// Whether the expression contains a query, or a label that no formula of the model defines.
 bool Evaluator::asks(const ExprPtr& expr) {
     if (const auto known = asks_.find(expr.get()); known != asks_.end()) return known->second;
     bool result =
@@ -99,7 +99,7 @@ StateVector Evaluator::state_by_state(Code::Root root) {
     return result;
 }
 
-/// Throws the error of a missing value that is used.
+/// Throws the error of a missing value whose state needs it.
 void Evaluator::used(const NoValue& missing) const {
     const std::string state = space_.text(static_cast<markov::State>(missing.state()));
     if (!missing.why().open.empty()) throw Undecided(fmt::format("in the state {}: {}", state, missing.why().open));

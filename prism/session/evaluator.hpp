@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of property expressions in every state, from the inside out. See "Meaning" in docs/probability.md.
+// Computes the values of property expressions in every state, from the innermost operators outwards. See "Meaning" in
+// docs/probability.md.
 #pragma once
 
 #include <functional>
@@ -36,7 +37,7 @@ struct Reachability {
     bool negated = false;
 };
 
-/// For P and R: a lower bound needs the minimum, an upper bound the maximum.
+/// The direction of a query P or R: a lower bound needs the minimum, an upper bound the maximum.
 [[nodiscard]] markov::Direction direction_of(const Query& query);
 
 struct EvaluatorOptions {
@@ -51,11 +52,12 @@ class Evaluator {
 public:
     Evaluator(const StateSpace& space, Code& code, const EvaluatorOptions& options);
 
-    /// If an expression has no value, such as 0/0, this is an error only if the value is used.
+    /// Evaluates an expression in every state. If it has no value in a state, such as 0/0, this is an error only if the
+    /// value is used.
     [[nodiscard]] StateVector evaluate(const ExprPtr& expr);
-    /// For the states of the filter if there is one; otherwise for the initial states.
+    /// Returns the result for the states of the filter if there is one, otherwise for the initial states.
     [[nodiscard]] Result answer(const ExprPtr& expr);
-    /// The states in which it holds; throws Undecided if this is unknown in some state.
+    /// Returns the states in which the expression holds. Throws Undecided if this is unknown in some state.
     [[nodiscard]] markov::StateSet set(const ExprPtr& expr);
     /// F, G, U, W or R of state formulas. G a is not F !a; a W b is not (a & !b) U (!a & !b); a R b is not !a U !b.
     [[nodiscard]] Reachability reachability(const Expr& expr);

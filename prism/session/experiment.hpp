@@ -30,8 +30,8 @@ struct Series {
 /// The constants without a definition.
 [[nodiscard]] std::vector<Constant> open_constants(const std::vector<Constant>& constants);
 
-/// Every combination of the values; the last series varies fastest. One empty combination if there is no series. Throws
-/// BadValue if there are too many.
+/// Returns every combination of the values; the last series varies fastest. Returns one empty combination if there is
+/// no series. Throws BadValue if there are too many combinations.
 [[nodiscard]] std::vector<Values> combinations(const std::vector<Series>& series);
 
 }  // namespace robochart::prism

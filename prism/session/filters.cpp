@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Filters, and the result of a property without one. See evaluator.hpp.
+// Filters, and the results of properties without a filter. See evaluator.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ std::size_t count(const markov::StateSet& states) {
 
 }  // namespace
 
-/// Booleans: the conjunction over all states; numbers: the value, or the range.
+/// Summarises values. Booleans give the conjunction over all states; numbers give the value or the range.
 Result Evaluator::over(const StateVector& values, const StateSet& states) const {
     Result result;
     result.type = values.type;
@@ -77,7 +77,8 @@ Result Evaluator::answer(const ExprPtr& expr) {
 
 namespace {
 
-/// The states with the least or the greatest value. Unknown if enclosures overlap, unless no other state can have it.
+/// Returns the states with the least or the greatest value. A state is unknown if enclosures overlap, unless no other
+/// state can have the extreme value.
 StateVector at_extreme(const StateVector& values, const markov::StateSet& states, bool least) {
     const auto [low, high] = extremes(values, states);
     StateVector result;

@@ -111,7 +111,7 @@ StateVector Evaluator::nested_path(const ExprPtr& expr, Direction direction) {
     }
 }
 
-/// The probability to reach a set of the product, for the states in which its paths begin.
+/// Returns the probability to reach a set of the product, for the states in which its paths begin.
 StateVector Evaluator::in_product(const automata::Product& product, const StateSet& goal, Direction direction) const {
     const StateSet everywhere(product.model.states(), true);
     const StateVector all = options_.exact

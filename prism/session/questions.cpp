@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// P, S, R, A and E. See evaluator.hpp.
+// Evaluates P, S, R, A and E. See evaluator.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -82,7 +82,7 @@ StateVector Evaluator::bounded(const Expr& expr, const StateVector& numbers, con
     const Enclosure limit = bound.bounds();
     const bool lower = relation == Op::greater || relation == Op::greater_equal;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        // Far from the bound, doubles decide without fractions.
+        // If the bound is far from the value, doubles decide without fractions.
         if (numbers.reals.empty() && (numbers.numbers[i].high < limit.low || numbers.numbers[i].low > limit.high)) {
             const bool above = numbers.numbers[i].low > limit.high;
             result.truths.push_back(above == lower ? Truth::yes : Truth::no);
@@ -108,7 +108,7 @@ std::optional<StateVector> Evaluator::qualitative(const Expr& expr, Direction di
     if (body.op != Op::until && body.op != Op::eventually && body.op != Op::globally) return std::nullopt;
     for (const ExprPtr& part : body.parts)
         if (is_path(*part)) return std::nullopt;
-    // G a has probability 1 (0) exactly if F !a has probability 0 (1), in the other direction.
+    // G a has probability 1 (0) exactly if F !a has probability 0 (1) in the other direction.
     const bool always = body.op == Op::globally;
     const StateSet right = always ? inverse(set(body.parts[0])) : set(body.parts.back());
     const StateSet left = body.op == Op::until ? set(body.parts[0]) : StateSet(right.size(), true);
@@ -215,8 +215,8 @@ StateVector Evaluator::until(const StateSet& left, const StateSet& right, const 
     return solved(bounded_until(chain_, left, right, from, to, direction, precision()));
 }
 
-/// G F a (`always` false) and F G a: the greatest probability is that of reaching end components that satisfy it; the
-/// least is 1 minus the greatest probability of the negation.
+/// Evaluates G F a (`always` false) and F G a. The greatest probability is that of reaching end components that satisfy
+/// the formula. The least is 1 minus the greatest probability of the negation.
 StateVector Evaluator::again_and_again(const ExprPtr& operand, bool always, Direction direction) {
     const StateSet states = set(operand);
     const StateSet everywhere(states.size(), true);
@@ -231,7 +231,7 @@ StateVector Evaluator::again_and_again(const ExprPtr& operand, bool always, Dire
     return complement(until(everywhere, components, nullptr, Direction::maximum));
 }
 
-/// The states of end components within one set that contain a state of the other.
+/// Returns the states of end components within one set that contain a state of the other set.
 markov::StateSet Evaluator::maximal_components(const StateSet& within, const StateSet& touched) {
     StateSet result(within.size());
     const markov::SubModel part{within, std::vector<bool>(chain_.choices(), true)};

@@ -28,11 +28,11 @@ public:
     /// fractions if the model is small.
     [[nodiscard]] Result check(std::size_t property, const Values& constants) const;
 
-    /// Evidence for a bound that `check` has found violated, if there is any. Throws like `check`.
+    /// Returns evidence for a bound that `check` has found violated, if there is any. Throws the exceptions of `check`.
     [[nodiscard]] std::optional<Counterexample> counterexample(std::size_t property, const Values& constants) const;
 
-    /// The choices of a scheduler that attains the value of a property (counterexample.hpp). Throws like `check`, and
-    /// Undecided.
+    /// Returns the choices of a scheduler that attains the value of a property (counterexample.hpp). Throws the
+    /// exceptions of `check`, and Undecided.
     [[nodiscard]] std::vector<std::uint32_t> best_choices(std::size_t property, const Values& constants) const;
 
 private:

@@ -25,11 +25,11 @@ using Kind = Method::Kind;
 constexpr std::uint64_t usual_samples = 1000;
 constexpr double usual_alpha = 0.01;
 constexpr double usual_indifference = 0.05;
-/// Intervals are not used before this number: the variance of fewer samples is unreliable, and may be 0 by chance.
+/// Intervals are not used below this number of samples, because their variance is unreliable and may be 0 by chance.
 constexpr std::uint64_t least_samples = 1000;
 constexpr std::uint64_t any_number = std::numeric_limits<std::uint64_t>::max();
 
-/// The number of samples that the method determines in advance; `any_number` if it decides during sampling.
+/// Returns the number of samples that the method determines in advance, or `any_number` if it decides during sampling.
 std::uint64_t samples_of(const Method& method) {
     if (method.kind == Kind::sprt) return any_number;
     if (method.samples || !method.width) return method.samples.value_or(usual_samples);
@@ -80,14 +80,14 @@ private:
 
     [[nodiscard]] double alpha() const { return method_.confidence.value_or(usual_alpha); }
 
-    /// Half the width of the interval in standard deviations.
+    /// Returns half the width of the interval in standard deviations.
     [[nodiscard]] double quantile(double alpha) const {
         if (method_.kind == Kind::aci) return statistics::normal_quantile(alpha / 2);
         return values_.count() < 2 ? std::numeric_limits<double>::infinity()
                                    : statistics::student_quantile(alpha / 2, values_.count() - 1);
     }
 
-    /// N >= v t^2 / w^2. Student's quantile is greater than the normal one, which is known.
+    /// Whether N >= v t^2 / w^2. Student's quantile is greater than the normal one, which is known.
     [[nodiscard]] bool narrow_enough() const {
         const double error = values_.standard_error();
         return values_.count() >= least_samples && normal_ * error <= *method_.width &&
@@ -120,7 +120,7 @@ private:
             result.width = given ? *method_.width : statistics::hoeffding_epsilon(count, result.alpha);
             if (given) result.alpha = statistics::hoeffding_delta(count, *method_.width);
         } else if (values_.count() < 2) {
-            // one sample gives no information about the deviation
+            // One sample gives no information about the deviation.
             result.width = std::numeric_limits<double>::infinity();
         } else if (given) {
             result.width = method_.width;
@@ -130,7 +130,7 @@ private:
         }
     }
 
-    /// The probability of a value that is so many standard deviations above the mean.
+    /// Returns the probability of a value that is this many standard deviations above the mean.
     [[nodiscard]] double tail(double deviations) const {
         return method_.kind == Kind::aci ? statistics::normal_tail(deviations)
                                          : statistics::student_tail(deviations, values_.count() - 1);
@@ -159,9 +159,9 @@ private:
         return result;
     }
 
-    /// A path on which the formula holds shows that the probability is not 0, one on which it does not hold that it is
-    /// not 1, and one that never reaches the target that the reward is infinite. All other results depend on the
-    /// intervals.
+    /// One path is enough in three cases. If the formula holds on a path, the probability is not 0. If it does not
+    /// hold, the probability is not 1. If a path never reaches the target, the reward is infinite. All other results
+    /// depend on the intervals.
     Result decided() const {
         const double bound = bound_->bounds().middle();
         if (endless_) return truth(true);

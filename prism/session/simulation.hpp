@@ -9,11 +9,11 @@
 
 namespace robochart::prism {
 
-/// Evaluates P [ path ] or R [ F, C<=k, I=k ] over a dtmc with one initial state; `constants` are those of the
-/// properties. The result contains an Estimate: a number is the mean of the samples and not an enclosure, and a bound
-/// counts as decided if every interval of the estimate is on one side of it. Unknown, with the reason, if the method or
-/// the paths do not decide. The same seed gives the same result for any number of threads. Throws EvaluationError,
-/// LimitReached.
+/// Evaluates P [ path ] or R [ F, C<=k, I=k ] over a dtmc with one initial state. `constants` are those of the
+/// properties. The result contains an Estimate. A number is the mean of the samples and not an enclosure. A bound
+/// counts as decided if every interval of the estimate is on one side of it. The result is unknown, with the reason, if
+/// the method or the paths do not decide. The same seed gives the same result for any number of threads. Throws
+/// EvaluationError, LimitReached.
 [[nodiscard]] Result simulate(const Instance& instance, const CheckedProperties& properties, std::size_t property,
                               const Values& constants, const SamplingOptions& options,
                               diagnostics::Diagnostics& diagnostics);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A value for every state: booleans, some of which may be unknown, or numbers. A state may have no value.
+// A value for every state: a boolean, which may be unknown, or a number. A state may also have no value.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ enum class Truth : std::uint8_t { no, yes, unknown, undefined };
 [[nodiscard]] Truth negated(Truth truth);
 [[nodiscard]] Truth both(Truth a, Truth b);
 
-/// Why an expression has no value in a state, or (`open`) why it is unknown whether it has one.
+/// The reason why an expression has no value in a state, or (`open`) why it is unknown whether it has one.
 struct Undefined {
     EvaluationError error;
     std::string open;  ///< "": it certainly has none
@@ -58,11 +58,11 @@ public:
         require(state);
         return reals.empty() ? Real(numbers[state]) : reals[state];
     }
-    /// Throws NoValue if the state has none.
+    /// Throws NoValue if the state has no value.
     void require(std::size_t state) const {
         if (const UndefinedPtr why = undefined_in(state)) throw NoValue(state, why);
     }
-    /// Null if the state has a value.
+    /// Returns null if the state has a value.
     [[nodiscard]] UndefinedPtr undefined_in(std::size_t state) const {
         if (undefined.empty()) return nullptr;
         const auto found = undefined.find(state);

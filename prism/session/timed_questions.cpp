@@ -11,7 +11,7 @@
 
 namespace robochart::prism {
 
-/// The right side holds within the bounds, and the left side at all times before.
+/// Returns the probability that the right side holds within the bounds, and the left side at all times before.
 StateVector Evaluator::timed_until(const StateSet& left, const StateSet& right, const StepBound& steps,
                                    Direction direction) {
     constexpr std::uint64_t most_states = 200'000'000;  // in all layers together
@@ -41,8 +41,8 @@ StateVector Evaluator::layered_until(const StateSet& left, const StateSet& right
     return result;
 }
 
-/// For bounds with more units than can be unfolded: bounded below by the value for fewer units, and above by the value
-/// without a bound, for all schedulers.
+/// Handles bounds with more units than can be unfolded. The value is at least the value for fewer units, and at most
+/// the value without a bound, for all schedulers.
 StateVector Evaluator::long_until(const StateSet& left, const StateSet& right, Direction direction) {
     constexpr std::uint64_t few_states = 2'000'000;  // in all layers together
     const std::uint64_t units = std::max<std::uint64_t>(1, few_states / std::max<std::size_t>(1, chain_.states()));
@@ -58,7 +58,7 @@ StateVector Evaluator::long_until(const StateSet& left, const StateSet& right, D
     return result;
 }
 
-/// The reward earned until the given number of time units has passed, including the last unit.
+/// Returns the reward earned until the given number of time units has passed, including the last unit.
 StateVector Evaluator::timed_reward(const markov::Rewards& rewards, std::uint64_t units, Direction direction) {
     if (units == 0) return all_states({Type::real, 0, Real(std::int64_t{0})});
     const markov::Layers layers = markov::layers(chain_, units - 1, false, options_.budget);

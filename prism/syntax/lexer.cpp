@@ -25,8 +25,8 @@ bool is_digit(char c) {
     return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Longest first. `<-`, `||` and `|[` are read as two tokens each: `x<-1` is a comparison. The last symbols belong to
-/// unsupported constructs; the parser reports them.
+/// The longest symbols come first. `<-`, `||` and `|[` are read as two tokens each, because `x<-1` is a comparison. The
+/// last symbols belong to unsupported constructs, which the parser reports.
 constexpr std::array<std::string_view, 34> symbols{"<=>", "..", "->", "=>", "<=", ">=", "!=", ";", ":", ",", "(", ")",
                                                    "[",   "]",  "{",  "}",  "=",  "<",  ">",  "+", "-", "*", "/", "^",
                                                    "&",   "|",  "!",  "?",  "'",  ".",  "@",  "$", "%", "~"};
@@ -138,7 +138,7 @@ private:
         diagnostics_.report(rules::bad_character, span(begin), {fmt::format("'{}'", shown)});
     }
 
-    /// `#...#` is text for PRISM's preprocessor, or for a tool that fills holes.
+    /// Skips `#...#`, which is text for the preprocessor of PRISM, or for a tool that fills holes.
     void preprocessor() {
         const std::size_t begin = at_++;
         const std::size_t end = text_.find_first_of("#\n", at_);

@@ -66,8 +66,8 @@ ExprPtr Parser::infix(Op op, ExprPtr left, ExprPtr right) {
     return node(op, from, {std::move(left), std::move(right)});
 }
 
-/// `a U<=3 b`; these operators do not chain. Outside brackets, `R` begins the next property, because semicolons between
-/// properties are optional.
+/// Parses `a U<=3 b`. These operators do not chain. Outside brackets, `R` begins the next property, because semicolons
+/// between properties are optional.
 ExprPtr Parser::expression() {
     const Depth depth(*this);
     ExprPtr left = temporal();
@@ -87,7 +87,7 @@ bool Parser::at_infix_operator() const {
     return at("U") || at("W") || (at("R") && surroundings_.enclosed);
 }
 
-/// `F a & b` is `F (a & b)`.
+/// Parses `F a & b` as `F (a & b)`.
 ExprPtr Parser::temporal() {
     if (!at_prefix_operator()) return conditional();
     const Depth depth(*this);
@@ -100,7 +100,7 @@ ExprPtr Parser::temporal() {
     return checked(std::move(expr), token.span);
 }
 
-/// `a & F b`, which PRISM accepts only in parentheses. An ambiguous text is an error: in `a & F b & c` and in `F a & F
+/// Accepts `a & F b`, which PRISM accepts only in parentheses. Reports ambiguous text: in `a & F b & c` and in `F a & F
 /// b` the end of the operand is unclear.
 ExprPtr Parser::temporal_operand() {
     const Depth depth(*this);
@@ -246,7 +246,7 @@ ExprPtr Parser::word() {
     return node(Op::name, token.span, {}, std::string(token.text));
 }
 
-/// Called after the opening parenthesis.
+/// Parses the arguments of a call after the opening parenthesis.
 ExprPtr Parser::call(std::string function, Span from) {
     const Within parentheses(*this, in_brackets);
     std::vector<ExprPtr> arguments;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// P, S, R, A and E with their brackets. See parser.hpp.
+// Parses P, S, R, A and E with their brackets. See parser.hpp.
 #include <algorithm>
 #include <array>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tokens, and the items of files. See parser.hpp.
-#include "prism/syntax/parser.hpp"
+// Parses tokens and the items of files. See parser.hpp.
+#include "checker/prism/syntax/parser.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ std::string found(const Token& token) {
     return fmt::format("'{}'", text);
 }
 
-/// The name of an unsupported kind of model, by its keyword; "" for other words.
+/// Returns the name of an unsupported kind of model by its keyword, or "" for other words.
 std::string_view other_kind(std::string_view word) {
     if (word == "ctmc" || word == "stochastic") return "continuous-time Markov chains (ctmc)";
     if (word == "pta" || word == "popta") return "probabilistic timed automata (pta, popta)";
@@ -125,7 +125,7 @@ ModelFile Parser::model() {
     ModelFile file;
     while (!at_end()) {
         diagnostics_.poll();
-        // A module or rewards structure with a wrong head is skipped as a whole.
+        // If the head of a module or of a rewards structure is malformed, the whole item is skipped.
         const std::string_view end = at("module") ? "endmodule" : at("rewards") ? "endrewards" : "";
         const std::size_t errors = diagnostics_.errors();
         guarded([&] { item(file); }, {"const", "formula", "global", "init", "label", "module", "rewards", "system"});

@@ -14,7 +14,7 @@
 
 namespace robochart::prism {
 
-/// Parses tokens; after an error it reports one finding and continues after it.
+/// Parses tokens. After an error it reports one finding and continues after the erroneous part.
 class Parser {
 public:
     /// Maximal depth of recursion.
@@ -25,7 +25,7 @@ public:
 
     [[nodiscard]] ModelFile model();
     [[nodiscard]] PropertyFile properties();
-    /// The expression if the whole text is one; null, with findings, otherwise.
+    /// Returns the expression if the whole text is one. Otherwise returns null and reports findings.
     [[nodiscard]] ExprPtr lone_expression();
 
 private:

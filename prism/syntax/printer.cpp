@@ -104,7 +104,7 @@ std::string unary(std::string_view symbol, const Expr& expr) {
     return fmt::format("{}{} {}", symbol, steps, text_of(expr.parts[0], bare ? temporal_level : level));
 }
 
-/// The text and its precedence.
+/// Returns the text and its precedence.
 std::pair<std::string, int> written(const Expr& expr) {
     switch (expr.op) {
         case Op::boolean:
@@ -159,7 +159,7 @@ std::pair<std::string, int> written(const Expr& expr) {
     return {fmt::format("{}{}{}{}", left, how.symbol, steps, right), how.level};
 }
 
-/// The text for a place that requires at least the precedence `level`; in parentheses if necessary.
+/// Returns the text for a place that requires at least the precedence `level`, in parentheses if necessary.
 std::string text_of(const ExprPtr& expr, int level) {
     auto [text, own] = written(*expr);
     return own < level ? "(" + text + ")" : text;

@@ -9,12 +9,13 @@
 
 namespace robochart::prism {
 
-/// A model. If there are errors, the result contains the parts that could be parsed.
+/// Parses a model. If there are errors, the result contains the parts that could be parsed.
 [[nodiscard]] ModelFile read_model(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&);
 /// A properties file.
 [[nodiscard]] PropertyFile read_properties(const diagnostics::SourceManager&, diagnostics::SourceId,
                                            diagnostics::Diagnostics&);
-/// A single expression, such as a constant's value on the command line; null, with findings, if it is malformed.
+/// Parses a single expression, such as the value of a constant on the command line. Returns null and reports findings
+/// if it is malformed.
 [[nodiscard]] ExprPtr read_expression(const diagnostics::SourceManager&, diagnostics::SourceId,
                                       diagnostics::Diagnostics&);
 

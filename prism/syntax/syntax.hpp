@@ -92,9 +92,9 @@ inline constexpr std::uint64_t max_size = 5'000'000;
 /// Whether both have the same operators, names and literals, ignoring places.
 [[nodiscard]] bool same_expr(const ExprPtr& a, const ExprPtr& b);
 
-/// Whether it is one of X F G U W R.
+/// Whether the operator is one of X F G U W R.
 [[nodiscard]] bool is_temporal(Op op);
-/// Whether it contains path operators outside inner queries.
+/// Whether the expression contains path operators outside inner queries.
 [[nodiscard]] bool is_path(const Expr& expr);
 
 struct Constant {

@@ -86,7 +86,7 @@ public:
         return earn(rewards, finite, std::move(admitted), zero, std::move(collapsed));
     }
 
-    /// If the remaining reward can be 0, the chain leaves an end component only to earn more.
+    /// If the maximum is finite, staying in an end component earns nothing. A scheduler leaves it only to earn more.
     Result<Value> total_reward(const Rewards& rewards) {
         const Payments payments(model_, rewards);
         const std::vector<bool> free = payments.free_choices(every_choice(graph_));

@@ -141,7 +141,7 @@ private:
         return true;
     }
 
-    /// Tries a proof when the sweeps make no progress. Before that, it tries proofs less and less often.
+    /// Tries a proof when the sweeps make no progress, and before that at growing intervals.
     bool sweep_up_to(std::uint64_t most) {
         std::uint64_t next_proof = sweeps_ + 8;
         std::uint64_t failures = 0;
