@@ -23,15 +23,15 @@ struct Job {
     std::optional<std::chrono::steady_clock::time_point> deadline;
 };
 
-/// The search of a system as bytes, with the limits for every program, and the number of threads in each. No value if
-/// the system cannot be sent: a process that stays a term. `program`: the identity of the sender.
+/// Returns the search of a system as bytes, with the limits for every program and the number of threads in each. No
+/// value if the system cannot be sent, because the process stays a term. `program`: the identity of the sender.
 [[nodiscard]] std::optional<std::string> encode(const lts::TransitionSystem& system,
                                                 const refine::LevelQuestion& question, const refine::Limits& limits,
                                                 unsigned threads, std::string_view program);
-/// The identity of the program that has encoded the search, for all versions. Throws lts::BadBytes.
+/// Returns the identity of the program that has encoded the search. This works for all versions. Throws lts::BadBytes.
 [[nodiscard]] std::string sender_of(std::string_view bytes);
-/// The same search. `terms` must outlive it; they may differ from the sender's. Throws lts::BadBytes if the bytes are
-/// not a search that this version has encoded.
+/// Decodes a search. `terms` must outlive it and may differ from the sender's terms. Throws lts::BadBytes if the bytes
+/// are not a search that this version has encoded.
 [[nodiscard]] Job decode(std::string_view bytes, process::TermStore& terms);
 
 }  // namespace robochart::ranks

@@ -19,7 +19,7 @@ ServedRanks::~ServedRanks() {
     try {
         end();
     } catch (const std::exception&) {
-        // No end is needed if others are lost, and a destructor cannot report that memory is exhausted.
+        // If others are lost, they need no end. A destructor cannot report that memory is exhausted.
     }
 }
 
@@ -93,8 +93,8 @@ void serve(Exchange& exchange, const std::string& program) {
         } catch (const refine::RankLost&) {
             throw;
         } catch (const std::exception&) {
-            // If all ranks have left the search together, rank 0 reports the reason. Otherwise others wait for this
-            // one.
+            // If all ranks have left the search together, rank 0 reports the reason. Otherwise other ranks wait for
+            // this one, so it must end.
             if (!exchange.left_together()) throw;
         }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Separate programs, or threads that act like programs, that share searches. The first one parses, evaluates and
-// compiles, and for each search sends the others what they need (job.hpp); between searches they wait. Several threads
-// search in each program.
+// Separate programs, or threads that act like programs, that share searches. The first program parses, evaluates and
+// compiles. For each search it sends the others the data that they need (job.hpp). Between searches the others wait.
+// Several threads search in each program.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@
 
 namespace robochart::ranks {
 
-/// The first program's side. Meanwhile the other ranks of the exchange, which must outlive the object, are in `serve`
-/// until the object is destroyed, unless they wait. The number of search threads in each program is Limits::threads, or
-/// one if that is 0.
+/// The side of the first program. The other ranks of the exchange run the function for served ranks (below) until this
+/// object is destroyed. The exchange must outlive the object. Each program searches with Limits::threads threads, or
+/// with one if that is 0.
 class ServedRanks final : public refine::LevelStrategy {
 public:
     /// `program`: the identity of this program. The others reject searches of another program.
@@ -22,10 +22,10 @@ public:
     ServedRanks& operator=(const ServedRanks&) = delete;
     ~ServedRanks() override;
 
-    /// Ends the other ranks; no search follows. The destructor calls it if it has not been called, and then discards
-    /// its exceptions.
+    /// Ends the other ranks; no search can follow. The destructor calls this function if it has not been called, and
+    /// discards its exceptions.
     void end();
-    /// A process that is not compiled, but stays a term, is searched by one thread of the first program only.
+    /// A process that stays a term is searched by one thread of the first program only.
     std::optional<refine::Violation> search(lts::TransitionSystem& system, const refine::LevelQuestion& question,
                                             refine::Budget& budget, refine::Statistics& statistics) override;
     /// Whether an error has ended a search at this rank only. The others wait for it: no further search is possible,
@@ -44,10 +44,10 @@ private:
     bool ended_ = false;
 };
 
-/// Runs in every other program: takes part in each search until rank 0 ends. The first program reports what ends a
-/// search. Throws errors that occur only in this program, since the others wait for it. `program`: its identity. If
-/// another program has sent the search, rows and messages may differ, so all ranks leave it together
-/// (storage::BadFile).
+/// Runs in every other program, and takes part in each search until rank 0 ends. The first program reports why a search
+/// ended. Throws errors that occur only in this program, because the others wait for it. `program`: the identity of
+/// this program. If another program has sent the search, rows and messages may differ, so all ranks leave the search
+/// together (storage::BadFile).
 void serve(refine::Exchange& exchange, const std::string& program);
 
 }  // namespace robochart::ranks

@@ -49,7 +49,8 @@ DiskRowStore::~DiskRowStore() {
     if (bounds_.report) bounds_.report(figures_);
 }
 
-/// For the open level a lower bound: a row that was found again after it had been written is in several runs.
+/// For the open level the number is only a lower bound, because a row that was found again after it had been written is
+/// in several runs.
 std::uint64_t DiskRowStore::rows(Level level) const {
     return level < levels() ? kept_.files().rows(level) : std::max<std::uint64_t>(open_->size(), runs_.longest());
 }
@@ -75,7 +76,7 @@ std::uint64_t DiskRowStore::rows_sorted_at_once() const {
     return std::max<std::uint64_t>(most_open_ / 4, 64);
 }
 
-/// Piece by piece, because the rows exist three times while they are sorted.
+/// Sorts the rows in pieces, because rows exist three times in memory while they are sorted.
 void DiskRowStore::write_open() {
     note_peak();
     const auto piece = static_cast<StateIndex>(rows_sorted_at_once());
@@ -86,7 +87,7 @@ void DiskRowStore::write_open() {
     renew_open();
 }
 
-/// If it was full, it will be full again, so its table is allocated at once.
+/// A store that was full is likely to become full again, so its table is allocated with full size.
 void DiskRowStore::renew_open() {
     const bool full = open_->size() >= most_open_;
     open_ = new_store();
@@ -128,8 +129,9 @@ void DiskRowStore::add_to_filter(std::span<const Word> rows) {
         });
 }
 
-/// The filter contains the rows put aside as well; otherwise a filter of another size might not contain them, and a row
-/// once unsure must stay unsure until it is settled. Most of these rows are duplicates anyway.
+/// Fills the filter with the rows of the levels and the rows put aside. Without the latter, a filter of another size
+/// might reject them, but a row that was once unsure must stay unsure until it is settled. Most of these rows are
+/// duplicates anyway.
 void DiskRowStore::fill_filter() {
     filter_.reset(kept_.files().rows());
     if (filter_.capacity() == 0) return;
@@ -147,9 +149,9 @@ void DiskRowStore::fill_filter() {
     });
 }
 
-/// The more work has been done since the last settling, the more is lost if a row has been taken for a duplicate by
-/// mistake. The total loss is least if this work, times the probability of a mistake, equals the work of settling
-/// (Young, CACM 17(9), 1974). Rows put aside in files are settled when they are as many as all others, so that they
+/// The more work has been done since the last settling, the more is lost if a row was taken for a duplicate by mistake.
+/// The total loss is least if this work, times the probability of a mistake, equals the work of settling (Young, CACM
+/// 17(9), 1974). Rows put aside in files are settled when there are as many of them as of all other rows, so that they
 /// never need more space than these.
 bool DiskRowStore::wants_to_settle() const {
     if (late_->size() > 0) return true;
@@ -164,14 +166,14 @@ bool DiskRowStore::wants_to_settle() const {
 
 namespace {
 
-/// Compares rows of `width` words: less, equal, greater.
+/// Compares rows of `width` words. The result is negative, 0 or positive for less, equal or greater.
 int compared(const Word* a, const Word* b, std::size_t width) {
     for (std::size_t i = 0; i < width; ++i)
         if (a[i] != b[i]) return a[i] < b[i] ? -1 : 1;
     return 0;
 }
 
-/// Ascending rows with their levels, compared with another ascending sequence.
+/// Ascending rows with their levels, which are compared with another ascending sequence.
 class Sought {
 public:
     Sought(std::vector<Word>& rows, std::size_t width) : rows_(rows), width_(width) {}
@@ -221,8 +223,8 @@ private:
 
 }  // namespace
 
-/// Removes the rows that are in this level, if it is their own level or an earlier one. Blocks that cannot contain any
-/// of them are not read.
+/// Removes the rows that this level contains, if it is their own level or an earlier one. Blocks that cannot contain
+/// any of them are not read.
 void DiskRowStore::remove_those_in(Level level, bool polled, std::vector<Word>& rows) {
     Sought sought(rows, width());
     const auto wants = [&](StateView first, StateView next) {
@@ -246,9 +248,9 @@ void DiskRowStore::remove_those_in(Level level, bool polled, std::vector<Word>& 
     if (any) sought.remove_marked();
 }
 
-/// Handles rows that are in no level: they join the open level, or are late. Returns whether some have joined. Late
-/// rows of the least level are kept: the search rolls back to it and finds the others again. If the search does not
-/// continue, the open level is left out.
+/// Handles rows that no level contains: they join the open level, or are late. Returns whether some have joined. Only
+/// late rows of the least level are kept, because the search rolls back to that level and finds the others again. If
+/// the search does not continue, the open level is left out.
 bool DiskRowStore::take_missing(std::span<const Word> rows, bool going_on) {
     bool joined = false;
     for (std::size_t at = 0; at < rows.size(); at += width() + 1) {
@@ -269,8 +271,8 @@ bool DiskRowStore::take_missing(std::span<const Word> rows, bool going_on) {
     return joined;
 }
 
-/// Returns whether some rows have joined the open level. If `going_on` is false, the search has ended, and no time is
-/// left for other work.
+/// Returns whether some rows have joined the open level. If `going_on` is false, the search has ended, and there is no
+/// time for other work.
 bool DiskRowStore::settle_aside(bool going_on) {
     if (aside_.empty()) return false;
     ++figures_.settled;
@@ -297,7 +299,7 @@ void DiskRowStore::forget_aside() {
     aside_.clear();
 }
 
-/// The filter is refilled; otherwise it would report the rows of later levels as duplicates when they are found again.
+/// The filter is refilled. Otherwise it would report the rows of later levels as duplicates when they are found again.
 void DiskRowStore::roll_back_to(Level level) {
     forget_aside();
     if (level == levels()) return;  // the missing rows have joined it
@@ -317,7 +319,7 @@ void DiskRowStore::roll_back_to(Level level) {
     late_level_ = no_level;
 }
 
-/// Passes the rows put aside, and those missing in closed levels: another run treats them as unsure.
+/// Passes the rows put aside and the rows missing in closed levels. Another run treats all of them as unsure.
 void DiskRowStore::give_unsure(const storage::TakeRows& take) const {
     aside_.each_piece([&](const std::vector<Word>& rows) { take(rows); });
     std::vector<Word> rows;
@@ -329,8 +331,9 @@ void DiskRowStore::give_unsure(const storage::TakeRows& take) const {
     take(rows);
 }
 
-/// Runs belong to the open level, which is left out; their disk space may be needed. If there is no space for the rows
-/// put aside either, they are settled, so that they need none; after that, levels are dropped.
+/// Removes the runs, because they belong to the open level, which is left out, and their disk space may be needed. If
+/// there is no space for the rows put aside either, they are settled first. If that does not suffice, levels are
+/// dropped.
 void DiskRowStore::checkpoint() {
     const auto unsure = [this](const storage::TakeRows& take) { give_unsure(take); };
     empty_open();

@@ -32,8 +32,8 @@ public:
     struct Bounds {
         std::uint64_t most_bytes = 0;  ///< limit on the total memory, except for a block of each run during a merge
         unsigned filter_bits = 32;     ///< maximal number of bits for each row
-        /// number of rows that can be read from files in the time that the search needs for one row; 0: rows are
-        /// settled only when this is unavoidable
+        /// The number of rows that can be read from files in the time that the search needs for one row. 0: rows are
+        /// settled only when this is unavoidable.
         unsigned reads_a_step = 10;
         std::function<void(const Figures&)> report;  ///< called at the end; may be empty
     };

@@ -14,14 +14,14 @@ namespace robochart::refine {
 
 using Words = std::vector<lts::Word>;
 
-/// The rank, below `ranks`, that owns a row, by its hash (lts::StateStore::hash): the same in every run. The hash is
-/// mixed again, so that the rows of a rank are spread over its table.
+/// Returns the rank, below `ranks`, that owns a row with this hash (lts::StateStore::hash). It is the same in every
+/// run. The hash is mixed again, so that the rows of a rank are spread over its table.
 [[nodiscard]] inline unsigned owner_of(std::uint64_t hash, unsigned ranks) {
     hash = (hash ^ hash >> 29U) * 0xBF58476D1CE4E5B9ULL;
     return static_cast<unsigned>((hash >> 32U) * ranks >> 32U);
 }
 
-/// A message to, or from, each rank, all in one block of memory.
+/// One message to, or from, each rank, all in one block of memory.
 struct Messages {
     explicit Messages(unsigned ranks) : begins(ranks), sizes(ranks) {}
     [[nodiscard]] lts::StateView of(unsigned rank) const { return {words.data() + begins[rank], sizes[rank]}; }
@@ -43,16 +43,17 @@ public:
     /// The number of ranks that are threads of this program and share its memory.
     [[nodiscard]] virtual unsigned ranks_here() const { return 1; }
 
-    /// Sends `out.of(r)` to each rank r, and stores in `in.of(r)` the message from r. Fewer than 2^31 words in total.
+    /// Sends to each rank r its message in `out`, and stores the message from r in `in`. There are fewer than 2^31
+    /// words in total.
     virtual void all_to_all(const Messages& out, Messages& in) = 0;
     /// Replaces each value by its sum over all ranks.
     virtual void sum(std::span<std::uint64_t> values) = 0;
-    /// Returns at every rank the words that each rank has passed. For few words.
+    /// Returns at every rank the words that each rank has passed. Intended for few words.
     [[nodiscard]] virtual std::vector<Words> gather(const Words& own) = 0;
     /// Replaces the bytes by those of rank 0. A rank may wait for a long time without using its processor.
     virtual void broadcast(std::string& bytes) = 0;
 
-    /// Statistics of what this rank has sent to others by all_to_all.
+    /// Statistics of the messages that this rank has sent to others by all_to_all.
     struct Traffic {
         std::uint64_t bytes = 0;
         std::uint64_t messages = 0;  ///< number of nonempty messages

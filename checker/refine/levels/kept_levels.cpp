@@ -27,7 +27,7 @@ KeptLevels::KeptLevels(KeptWhere where)
 /// that were unsure.
 void KeptLevels::load(SearchRecord& record, const TakeUnsure& unsure) {
     const std::vector<storage::Checkpoint> found = storage::read(where_.folder, where_.kind, where_.from);
-    // Numbers that only some ranks have used are not used again.
+    // Numbers of checkpoints that only some ranks have used are not used again.
     const std::uint64_t greatest = where_.from.greatest;
     if (found.empty()) {
         files_.number_from(greatest);
@@ -83,7 +83,8 @@ void KeptLevels::check(const storage::Checkpoint& found) const {
                         storage::name_of(found.number, found.place), found.levels, found.expanded.size()));
 }
 
-/// Collects the rows of this rank from the files of all former ranks: a run from each, and then merges them.
+/// Collects the rows of this rank from the files of all former ranks. Each former rank gives one run; then the runs are
+/// merged.
 void KeptLevels::redistribute(const std::vector<storage::Checkpoint>& found, Level levels) {
     std::vector<storage::LevelFiles> all;
     for (const storage::Checkpoint& each : found) {

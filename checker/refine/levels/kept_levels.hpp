@@ -22,17 +22,17 @@ struct KeptWhere {
     storage::RowKind kind;  ///< identifies the search
     storage::Place place;   ///< the rank of the search
     storage::Newest from;   ///< the checkpoint from which it continues, the same at all ranks
-    /// time between checkpoints; no value: they are written only on limits and interrupts
+    /// The time between checkpoints. No value: checkpoints are written only on limits and interrupts.
     std::optional<std::chrono::milliseconds> every;
-    /// Whether a row belongs to this rank; empty: all rows do.
+    /// Whether a row belongs to this rank. If the function is empty, all rows do.
     std::function<bool(lts::StateView row)> mine;
     /// Called during long work; may throw.
     std::function<void()> poll;
-    /// Open as long as this rank uses the folder; null: the folder is not locked.
+    /// Open while this rank uses the folder. Null if the folder is not locked.
     std::shared_ptr<const diagnostics::Descriptor> lock;
 };
 
-/// The path of a file in addition to the levels.
+/// Returns the path of a file that is stored in addition to the levels.
 [[nodiscard]] std::string path_of(const char* what, const KeptWhere& where);
 
 class KeptLevels {
@@ -46,7 +46,7 @@ public:
     /// storage::BadFile, and the exceptions of `unsure`.
     void load(SearchRecord& record, const TakeUnsure& unsure);
 
-    /// The number of rows in these levels at all former ranks; no value if load has not redistributed them.
+    /// The number of rows in these levels at all former ranks. No value if loading has not redistributed the rows.
     [[nodiscard]] std::optional<std::uint64_t> rows_before() const { return rows_before_; }
 
     [[nodiscard]] storage::LevelFiles& files() { return files_; }

@@ -98,8 +98,8 @@ std::optional<LevelFinding> LevelSearch::first_violation(std::uint64_t events_un
     }
 }
 
-/// Writes a checkpoint when all ranks leave the search together, otherwise only for this rank. Without a level there is
-/// nothing to continue from.
+/// Writes a checkpoint when all ranks leave the search together; otherwise only for this rank. If no level is closed,
+/// there is nothing to continue from.
 void LevelSearch::keep() {
     if (!exchange_.left_together()) {
         if (store_.levels() > 0) store_.checkpoint();
@@ -121,7 +121,7 @@ void LevelSearch::checkpoint(SharedWork& work) {
     work.sum({});
 }
 
-/// Only the first rank knows how the run is ended.
+/// Only the first rank knows how a run is killed.
 std::shared_ptr<void> LevelSearch::undisturbed() const {
     const auto& hold = budget_.limits().undisturbed;
     return hold && exchange_.rank() == 0 ? hold() : nullptr;
@@ -140,7 +140,7 @@ void LevelSearch::use_expander(bool taus_alone) {
     if (taus_alone) expander_->follow_taus_alone();
 }
 
-/// Enters the initial row, or, if the store continues an earlier run, reads the statistics so far.
+/// Enters the initial row. If the store continues an earlier run, reads the statistics so far instead.
 void LevelSearch::begin() {
     work_.attempt([this] {
         if (store_.levels() > 0) return;
@@ -166,8 +166,8 @@ void LevelSearch::begin() {
     work_.sum({});
 }
 
-/// In rounds; at the end of each round all ranks know how much work remains. Statistics are added to those stored so
-/// far: the initial state's belong to its level.
+/// Expands a level in rounds. At the end of each round all ranks know how much work remains. The statistics are added
+/// to those stored so far; the statistics of the initial state belong to its level.
 void LevelSearch::expand_level(Level level) {
     fault_.reset();
     forbidden_.reset();
@@ -227,7 +227,8 @@ void LevelSearch::expand_some(Level level, std::uint64_t& next) {
             } catch (const std::bad_alloc&) {
                 throw;
             } catch (const std::exception&) {
-                // An evaluation error, in a process that stays a term: results found before it take precedence.
+                // An evaluation error in a process that stays a term. Results that were found before it take
+                // precedence.
                 if (!fault_) throw;
                 next = store_.rows(level);
                 return;
@@ -249,8 +250,8 @@ void LevelSearch::expand(StateView row) {
     if (pair.forbidden) keep_least(forbidden_, {{row.begin(), row.end()}, ViolationKind::trace, *pair.forbidden});
 }
 
-/// Rows of other ranks are collected for sending, and this rank's own are entered. Whether a tau leads back depends on
-/// the level, so its target is sent each time.
+/// Collects the rows of other ranks for sending and enters the rows of this rank. Whether a tau leads back depends on
+/// the level, so the target of a tau is sent each time.
 void LevelSearch::take() {
     const unsigned ranks = exchange_.ranks();
     const unsigned self = exchange_.rank();
@@ -270,7 +271,8 @@ void LevelSearch::take() {
     expansion_.clear(store_.width());
 }
 
-/// A tau to a row of the same level or an earlier one leads back; every cycle of taus contains one.
+/// A tau leads back if its target is a row of the same level or an earlier one. Every cycle of taus contains such a
+/// tau.
 void LevelSearch::enter(StateView row, std::uint64_t hash, bool by_tau) {
     const RowStore::Found found = store_.enter(row, hash);
     if (by_tau && (found == RowStore::Found::earlier || found == RowStore::Found::unsure))
@@ -292,7 +294,7 @@ void LevelSearch::agree(std::uint64_t waiting) {
     agreed_ = {values[0], values[1], values[2], values[3], values[4], values[5], values[6], values[7], values[8]};
 }
 
-/// The least level in which some rank has missed a row.
+/// Returns the least level in which some rank has missed a row.
 std::optional<Level> LevelSearch::settle() {
     std::optional<Level> wrong;
     work_.attempt([&] { wrong = store_.settle(); });
@@ -319,7 +321,7 @@ void LevelSearch::roll_back_to(Level level) {
         work_.attempt([this] { close_level_of_store(); });
 }
 
-/// The expanded level is complete, and so is the open one.
+/// The expanded level and the open level are complete.
 void LevelSearch::close_level() {
     work_.attempt([this] {
         store_.record().expanded.push_back(figures_);
@@ -357,7 +359,7 @@ void LevelSearch::keep_least(std::optional<Fault>& kept, Fault found) {
     if (!kept || found.row < kept->row) kept = std::move(found);
 }
 
-/// The least fault of all ranks.
+/// Returns the least fault of all ranks.
 std::optional<LevelSearch::Fault> LevelSearch::least_fault() {
     const std::optional<Fault>& own = agreed_.faults > 0 ? fault_ : forbidden_;
     Words words;
@@ -378,7 +380,7 @@ LevelFinding LevelSearch::finding_of(const Fault& fault, Level level) {
     return finding;
 }
 
-/// Every rank can make the step; among several, the one to the least state is taken.
+/// Every rank can compute the step. If there are several steps, the one to the least state is taken.
 void LevelSearch::forbidden_step(const Fault& fault, Run& run) {
     std::optional<RunStep> least;
     for (RunStep& step : steps_from(system_, state(fault.row)))

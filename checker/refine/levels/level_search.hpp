@@ -32,32 +32,32 @@ struct LevelFinding {
     Run loop;  ///< divergence: taus from the run's last state back to it
 };
 
-/// One rank's part of a search. All functions are collective except for the statistics, and all ranks get the same
+/// The part of one rank in a search. All functions except the statistics are collective, and all ranks get the same
 /// results.
 class LevelSearch {
 public:
     /// `monitor` must number its nodes in the same way at each rank. `store` has rows of the system's width, plus one
-    /// word if the monitor has nodes. `note_taus`: first_divergence will be called.
+    /// word if the monitor has nodes. `note_taus`: whether first_divergence will be called.
     LevelSearch(lts::TransitionSystem& system, Monitor& monitor, RowStore& store, Exchange& exchange, Budget& budget,
                 bool note_taus);
     LevelSearch(const LevelSearch&) = delete;
     LevelSearch& operator=(const LevelSearch&) = delete;
     ~LevelSearch();
 
-    /// The first violation; no value if all rows have been seen. Only taus of rows in level `events_until` and later
-    /// are followed. At a limit, which any rank may reach, all ranks write a checkpoint and throw.
+    /// Returns the first violation. No value if all rows have been seen. In level `events_until` and later levels only
+    /// taus are followed. At a limit, which any rank may reach, all ranks write a checkpoint and throw.
     std::optional<LevelFinding> first_violation(std::uint64_t events_until = std::numeric_limits<std::uint64_t>::max());
-    /// After a search without violation that noted taus: the least row, by level and words, on a cycle of taus.
+    /// Returns the least row, by level and words, on a cycle of taus. Call it after a search that noted taus and found
+    /// no violation.
     std::optional<LevelFinding> first_divergence();
 
-    // For all ranks. If a violation was found: for the levels up to its own.
+    // Statistics of all ranks. If a violation was found, they cover the levels up to that of the violation.
     [[nodiscard]] std::uint64_t states() const { return states_; }
     [[nodiscard]] std::uint64_t transitions() const { return transitions_; }
     [[nodiscard]] std::uint64_t chased() const { return chased_; }
     [[nodiscard]] std::uint64_t depth() const { return depth_; }
 
-    // For this rank.
-    /// By level: the processor time of expanding it and entering the rows found.
+    // Statistics of this rank. For each level, the processor time of expanding it and of entering the rows found.
     [[nodiscard]] const std::vector<double>& level_seconds() const { return level_seconds_; }
     /// Number of rows sent to other ranks.
     [[nodiscard]] std::uint64_t crossing_rows() const { return batches_.rows(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows that are to be sent to their owners.
+// Collects rows that are to be sent to their owners.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 
 namespace robochart::refine {
 
-/// One message for each rank: the number of rows that are not targets of taus, these rows, then the targets of taus.
+/// Creates one message for each rank. It contains the number of rows that are not targets of taus, these rows, and then
+/// the targets of taus.
 class RowBatches {
 public:
     RowBatches(unsigned ranks, std::size_t width);
@@ -31,7 +32,7 @@ public:
         largest_ = std::max(largest_, message.front + message.back);
         ++waiting_;
     }
-    /// Whether a message has reached 64 KiB, or all messages together this many bytes, so that it is time to send.
+    /// Whether it is time to send: one message has reached 64 KiB, or all messages together have this many bytes.
     [[nodiscard]] bool full(std::uint64_t bytes) const {
         return largest_ * sizeof(lts::Word) >= std::size_t{1} << 16U || waiting_ * width_ * sizeof(lts::Word) >= bytes;
     }
@@ -39,8 +40,8 @@ public:
     [[nodiscard]] std::uint64_t rows() const { return rows_ + waiting_; }
     /// Sends all messages, and receives those of the others.
     void exchange(Exchange& with);
-    /// Passes the received rows one by one with their hashes; several rows are prefetched before the first is passed.
-    /// `prefetch(hash)`, `enter(row, hash, by_tau)`.
+    /// Passes the received rows one by one with their hashes to `enter(row, hash, by_tau)`. Calls `prefetch(hash)` for
+    /// several rows before the first of them is passed.
     template <class Prefetch, class Enter>
     void receive(const Prefetch& prefetch, const Enter& enter) const {
         for (unsigned rank = 0; rank < messages_.size(); ++rank) {
@@ -57,8 +58,8 @@ public:
     }
 
 private:
-    /// Use of a rank's space: at its beginning the number, not known yet, and the rows that are not targets of taus;
-    /// towards its end the others.
+    /// The use of the space of one rank. Its beginning contains the number, which is not known yet, and the rows that
+    /// are not targets of taus. The targets of taus are at its end.
     struct Message {
         std::size_t front = 1;
         std::size_t back = 0;

@@ -30,8 +30,8 @@ void RowFilter::keep_bits(unsigned bits) {
     parts_ = 63 - places_;
 }
 
-/// Space for twice as many rows as there are, or for as many as fit into memory if that is not much more, so that a
-/// growing filter is seldom refilled; if memory is short, at least an eighth more.
+/// Allocates space for twice as many rows as there are, or for as many as fit into memory if that is not much more. A
+/// growing filter is then seldom refilled. If memory is short, there is space for at least an eighth more.
 void RowFilter::reset(std::uint64_t rows) {
     constexpr std::uint64_t fewest = 4096;
     size_ = 0;
@@ -53,11 +53,11 @@ void RowFilter::reset(std::uint64_t rows) {
         if (bytes_of_row_ == 1) return;
     }
     capacity_ = space_in(buckets_);
-    // the same number of bytes is read for each row
+    // The filter reads the same number of bytes for each row.
     memory_ = lts::zeroed_pages(buckets_ * line + sizeof(std::uint32_t));
 }
 
-/// The approximate number of mistaken rows while the filter is filled, if it stores this many bits of each.
+/// Returns the approximate number of mistaken rows while the filter is filled, if it stores this many bits of each row.
 double RowFilter::errors_with(unsigned bits, std::uint64_t buckets) {
     const double places = static_cast<double>(line - counts_size) / (bits / 8);
     const double compared = places / (63 - places);
@@ -82,15 +82,15 @@ std::uint64_t counts_of(const std::uint8_t* bucket) {
 
 constexpr std::uint64_t ones = 0x0101010101010101U, tops = 0x8080808080808080U;
 
-/// For each byte, the number of bits set in it and in the lower bytes.
+/// Returns, for each byte, the number of bits set in this byte and in the lower ones.
 std::uint64_t sums_of(std::uint64_t word) {
     word -= (word >> 1U) & 0x5555555555555555U;
     word = (word & 0x3333333333333333U) + ((word >> 2U) & 0x3333333333333333U);
     return ((word + (word >> 4U)) & 0x0F0F0F0F0F0F0F0FU) * ones;
 }
 
-/// The index of the zero after this many zeros, which must exist (Vigna, Broadword implementation of rank/select
-/// queries, WEA 2008).
+/// Returns the index of the zero that follows this many zeros; it must exist (Vigna, Broadword implementation of
+/// rank/select queries, WEA 2008).
 unsigned zero_after(std::uint64_t word, unsigned zeros) {
     const std::uint64_t sums = sums_of(~word);
     const std::uint64_t passed = (((zeros * ones) | tops) - sums) & tops;
@@ -127,7 +127,7 @@ void RowFilter::add(std::uint64_t hash) {
     ++size_;
 }
 
-/// The rows of a part are before its zero.
+/// The rows of a part are stored before its zero.
 bool RowFilter::has(const std::uint8_t* bucket, std::uint64_t counts, unsigned part, std::uint32_t wanted) const {
     unsigned zero = zero_after(counts, part);
     for (const std::uint8_t* at = bucket + counts_size + std::size_t{zero - part} * bytes_of_row_;

@@ -14,20 +14,20 @@ namespace robochart::refine {
 
 class RowFilter {
 public:
-    /// Stores `most_bits` of each hash, 1 to 32, or the next fewer of 24, 16 and 8 with which all rows fit into
-    /// `most_bytes` and the expected number of mistaken rows is negligible. If not even 8 bits fit, it accepts every
-    /// row.
+    /// Stores `most_bits` (1 to 32) of each hash, or fewer: the largest of 24, 16 and 8 bits with which all rows fit
+    /// into `most_bytes` and the expected number of mistaken rows is negligible. If not even 8 bits fit, the filter
+    /// accepts every row.
     RowFilter(unsigned most_bits, std::uint64_t most_bytes);
 
-    /// Removes all rows and prepares for this many, and for some more if there is memory for them.
+    /// Removes all rows and prepares for this many rows, and for some more if there is memory for them.
     void reset(std::uint64_t rows);
-    /// The maximal number of rows; 0: it accepts every row, and none may be added.
+    /// The maximal number of rows. If it is 0, the filter accepts every row, and no row may be added.
     [[nodiscard]] std::uint64_t capacity() const { return capacity_; }
     [[nodiscard]] std::uint64_t size() const { return size_; }
     /// Precondition: size() < capacity().
     void add(std::uint64_t hash);
     [[nodiscard]] bool may_have(std::uint64_t hash) const;
-    /// The approximate probability that it accepts a row that was not added.
+    /// The approximate probability that the filter accepts a row that was not added.
     [[nodiscard]] double error() const;
     void prefetch(std::uint64_t hash) const {
         if (buckets_ > 0) __builtin_prefetch(bucket(home_of(hash)));
@@ -56,8 +56,8 @@ private:
     std::uint64_t most_bytes_;
     unsigned bytes_of_row_ = 0;
     std::uint32_t mask_ = 0;
-    /// Number of places in a bucket. They are preceded by a word with the number of used places of each part: as many
-    /// ones, then a zero; its top bit tells whether all places are used.
+    /// The number of places in a bucket. Before them is a word with the number of used places of each part: as many
+    /// ones, then a zero. Its top bit is set if all places are used.
     unsigned places_ = 0;
     unsigned parts_ = 0;  ///< parts in a bucket
     lts::Pages memory_;

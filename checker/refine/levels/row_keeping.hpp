@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the rows of a search are stored, as data that each of its ranks receives and creates its store from.
+// Describes where the rows of a search are stored. Each rank receives this description and creates its store from it.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@
 
 namespace robochart::refine {
 
-/// The same at all ranks of a search.
+/// The description, which is the same at all ranks of a search.
 struct RowKeeping {
     std::string folder;                  ///< used only by this search, created by the first rank; "": rows are only in
                                          ///< memory
@@ -27,7 +27,7 @@ struct RowKeeping {
     std::chrono::milliseconds every{0};  ///< time between checkpoints
     bool disk = false;                   ///< rows that do not fit into memory are stored in files
     std::uint64_t most_bytes = 0;        ///< disk: memory limit for all ranks of a program together
-    // disk: as in DiskRowStore::Bounds
+    // disk: see DiskRowStore::Bounds
     unsigned filter_bits = DiskRowStore::Bounds{}.filter_bits;
     unsigned reads_a_step = DiskRowStore::Bounds{}.reads_a_step;
 };

@@ -25,16 +25,16 @@ struct LevelFigures {
 struct SearchRecord {
     explicit SearchRecord(std::size_t width) : marks(width) {}
     std::vector<LevelFigures> expanded;  ///< by level: those expanded by this rank so far
-    /// Rows of this rank to which a tau leads from a row of the same level or a later one; possibly more.
+    /// Rows of this rank to which a tau leads from a row of the same level or a later one. There may be further rows.
     lts::StateStore marks;
 };
 
 /// Levels 0 to levels()-1 are closed: their rows are known. The next level, number levels(), is open: rows are entered
 /// into it. Not thread-safe.
 ///
-/// A store that does not have all earlier rows in memory may return `unsure`: the row may be in a closed level. It
-/// stores such a row, with the number of the open level, until `settle` decides. Until then the search treats it as a
-/// duplicate.
+/// A store that does not have all earlier rows in memory may return `unsure`, which means that the row may be in a
+/// closed level. The store keeps such a row, with the number of the open level, until it settles its unsure rows. Until
+/// then the search treats the row as a duplicate.
 class RowStore {
 public:
     enum class Found : std::uint8_t {
@@ -59,44 +59,44 @@ public:
     /// The number of rows in all levels.
     [[nodiscard]] virtual std::uint64_t size() const = 0;
 
-    /// If the store continues a run with another number of ranks: the number of rows at all its ranks. All ranks
-    /// together now have the same number.
+    /// If the store continues a run with another number of ranks, returns the number of rows at all former ranks. All
+    /// ranks together now have the same number.
     [[nodiscard]] virtual std::optional<std::uint64_t> rows_before() const { return std::nullopt; }
 
-    /// Prefetches the memory that `enter` will read.
+    /// Prefetches the memory that entering the row will read.
     virtual void prefetch(std::uint64_t /*hash*/) const {}
     /// Enters a row into the open level if it is new. `hash` is lts::StateStore::hash(row). May throw LimitReached
     /// (disk full, too many rows); closed levels are then unchanged.
     virtual Found enter(lts::StateView row, std::uint64_t hash) = 0;
     /// Closes the open level and opens the next one, which is empty.
     virtual void close_level() = 0;
-    /// Appends rows of a closed level to `rows`, in the store's own order, which is the same each time until it rolls
-    /// back: those from number `first` on, at most `most`. Returns their number; 0 after the end. Intended for
-    /// sequential reading; rows may be entered in between.
+    /// Appends rows of a closed level to `rows`: those from number `first` on, at most `most`. The order is the store's
+    /// own, and is the same each time until the store rolls back. Returns the number of rows; 0 after the end. Intended
+    /// for sequential reading. Rows may be entered between calls.
     virtual std::size_t read(Level level, std::uint64_t first, std::size_t most, std::vector<lts::Word>& rows) = 0;
 
-    /// Whether enough rows are unsure for `settle` to pay off.
+    /// Whether there are enough unsure rows for settling to pay off.
     [[nodiscard]] virtual bool wants_to_settle() const { return false; }
     /// Decides about all unsure rows by comparison with the closed levels. Returns the least level into which one of
     /// them should have been entered; no value if all were found in a level before their own. The search calls it if a
     /// rank wants it, and before any verdict.
     [[nodiscard]] virtual std::optional<Level> settle() { return std::nullopt; }
-    /// Opens `level`, at most the open one, again, with its rows and those that `settle` has found to belong to it.
-    /// Later levels and unsure rows are dropped. Rows that have once been unsure by mistake are stored exactly from
-    /// then on. Called at all ranks with the least level of all.
+    /// Opens `level` again, which is at most the open level, with its rows and with the settled rows that belong to it.
+    /// Later levels and unsure rows are dropped. Rows that were unsure by mistake are stored exactly afterwards. Called
+    /// at all ranks with the least level of all ranks.
     virtual void roll_back_to(Level /*level*/) {}
 
     /// Whether it is time to write a checkpoint.
     [[nodiscard]] virtual bool wants_checkpoint() const { return false; }
     /// Writes all closed levels and the record, so that another run can continue from there. Called at all ranks after
-    /// close_level if one of them wants it, and, on a limit or an interrupt, during a level: then the open level is
-    /// left out, and record().expanded has no entry for the last closed one.
+    /// close_level if one of them requests it. It is also called during a level on a limit or an interrupt; then the
+    /// open level is left out, and record().expanded has no entry for the last closed level.
     virtual void checkpoint() {}
 
     /// Total memory use.
     [[nodiscard]] virtual std::uint64_t bytes() const = 0;
 
-    /// Written by the search, stored by the store.
+    /// The search writes the record, and the store saves it.
     [[nodiscard]] SearchRecord& record() { return record_; }
     [[nodiscard]] const SearchRecord& record() const { return record_; }
 

@@ -12,7 +12,7 @@ using lts::StateStore;
 using lts::StateView;
 using lts::Word;
 
-/// Each row is in the store, and exists once more with its level when rows are passed on.
+/// Each row is in the store, and a second time with its level while rows are passed on.
 RowsAside::RowsAside(const std::string& path, const storage::RowKind& kind, std::uint64_t bytes)
     : most_(StateStore::most_in(bytes, kind.width, (kind.width + 1) * sizeof(Word))),
       store_(std::make_unique<StateStore>(kind.width)),
@@ -39,7 +39,7 @@ std::vector<Word> RowsAside::with_levels(StateIndex first, StateIndex end) const
     return rows;
 }
 
-/// Exception-safe: all rows are in the store, in transit, or in a run.
+/// Exception-safe: each row is in the store, in transit, or in a run at all times.
 void RowsAside::write() {
     if (unwritten_.empty()) {
         auto next = std::make_unique<StateStore>(width());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows about which a decision is made later, for all at once ("delayed duplicate detection": Stern and Dill, Using
-// magnetic disk instead of main memory in the Murphi verifier, CAV 1998). Each has the level to which it belongs if it
-// is not a duplicate. If there are many, they are sorted runs in a file.
+// Stores rows about which a decision is made later, for all of them together ("delayed duplicate detection": Stern and
+// Dill, Using magnetic disk instead of main memory in the Murphi verifier, CAV 1998). Each row has the level to which
+// it belongs if it is not a duplicate. If there are many rows, they are stored as sorted runs in a file.
 #pragma once
 
 #include <functional>
@@ -16,8 +16,8 @@ namespace robochart::refine {
 
 class RowsAside {
 public:
-    /// As many rows are in memory as fit into `bytes`, at least a few. While the file is being created, it has this
-    /// path.
+    /// Stores in memory as many rows as fit into `bytes`, but at least a few. The file has this path while it is being
+    /// created.
     RowsAside(const std::string& path, const storage::RowKind& kind, std::uint64_t bytes);
 
     /// Adds a row that belongs to `level` if it is not a duplicate. If a row is added again, its level must not be less
@@ -28,9 +28,9 @@ public:
     /// The number of rows; duplicates may count several times.
     [[nodiscard]] std::uint64_t rows() const { return store_->size() + unwritten() + runs_.rows(); }
     [[nodiscard]] bool on_disk() const { return !runs_.empty(); }
-    /// Passes all rows in pieces: ascending rows followed by their levels as another word. A piece has no duplicates;
-    /// if a row is in several pieces, the first has the least of its levels. `take` may change the piece. Writes
-    /// nothing. Throws the exceptions of `take`, and storage::BadFile.
+    /// Passes all rows in pieces. A piece contains ascending rows without duplicates; each row is followed by its level
+    /// as another word. If a row is in several pieces, the first of them has the least level. `take` may change the
+    /// piece. Writes nothing. Throws the exceptions of `take`, and storage::BadFile.
     void each_piece(const std::function<void(std::vector<lts::Word>& rows)>& take) const;
     /// Removes all rows.
     void clear();

@@ -16,7 +16,7 @@ SavedRowStore::SavedRowStore(KeptWhere where)
     });
     std::ranges::sort(unsure);
     unsure.erase(std::unique(unsure.begin(), unsure.end()), unsure.end());
-    // An unsure row of a level is looked up when the earlier levels and its own are in memory.
+    // An unsure row of a level is looked up when memory contains this level and the earlier ones.
     auto next = unsure.begin();
     for (Level level = 0; level < kept_.files().levels(); ++level) {
         load_until(level + 1);
@@ -44,8 +44,8 @@ std::optional<Level> SavedRowStore::settle() {
     return late_.front().first;
 }
 
-/// Earlier levels are written if necessary, and read again. Until that is done, the files contain everything, so that a
-/// checkpoint during the rollback is one from before it.
+/// Writes earlier levels if necessary, and reads them again. Until that is done, the files contain all levels, so a
+/// checkpoint during the rollback is one from before the rollback.
 void SavedRowStore::roll_back_to(Level level) {
     save_levels(true);
     auto rows = std::make_unique<MemoryRowStore>(width());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows that a rank has sent recently, so that it does not send them again: neighbouring rows often have the same
-// successors, and the owner stores every row that it receives. Small enough for the processor's cache. It forgets rows,
-// but never confuses two, since whole rows are compared.
+// Remembers the rows that a rank has sent recently, so that it does not send them again. Neighbouring rows often have
+// the same successors, and the owner stores every row that it receives. The table is small enough for the processor's
+// cache. It forgets rows, but never confuses two rows, because it compares whole rows.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ public:
     /// `width`: words in a row.
     explicit SentRows(std::size_t width) : width_(width) {}
 
-    /// Sets its size to this many bytes, within its own limits. If it grows, all rows are removed.
+    /// Sets the size of the table to this many bytes, within its own limits. If the table grows, all rows are removed.
     void fit(std::uint64_t most_bytes);
     /// Whether the row has been sent recently; records it as sent. `hash` is lts::StateStore::hash(row).
     bool again(lts::StateView row, std::uint64_t hash) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Work that all ranks leave together if one of them cannot do its part.
+// Runs work that all ranks leave together if one of them cannot do its part.
 #pragma once
 
 #include <cstdint>
@@ -26,9 +26,10 @@ public:
     /// Executes this rank's part of the work, unless it has failed already; stores its exception.
     void attempt(const std::function<void()>& part);
     [[nodiscard]] bool failed() const { return failure_ != nullptr; }
-    /// Exchange::sum. If a rank has failed, all throw: that rank its stored exception; the others LimitReached with its
-    /// message if that was a limit or a lack of memory, storage::BadFile with its message if it was that, and otherwise
-    /// RankFailed. If several have failed, the worst counts: an error before a bad file before a limit.
+    /// Adds values as Exchange::sum does. If a rank has failed, all ranks throw. That rank throws its stored exception.
+    /// The others throw LimitReached with its message for a limit or a lack of memory, storage::BadFile with its
+    /// message for a bad file, and RankFailed otherwise. If several ranks have failed, the worst failure counts: an
+    /// error is worse than a bad file, and a bad file is worse than a limit.
     void sum(std::span<std::uint64_t> values);
 
 private:

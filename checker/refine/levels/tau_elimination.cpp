@@ -47,7 +47,8 @@ std::optional<TauCycle> TauElimination::least_cycle() {
     eliminate();
     if (left_everywhere() == 0) return std::nullopt;
     std::vector<Words> rows = at_first_rank();
-    // Level, length of the loop, the row, then each step of the loop: revealed event and state.
+    // The words are the level, the length of the loop, the row, and then each step of the loop as revealed event and
+    // state.
     Words answer;
     work_.attempt([&] {
         if (exchange_.rank() != 0) return;
@@ -157,7 +158,7 @@ std::uint64_t TauElimination::left_everywhere() {
     return left[0];
 }
 
-/// The remaining rows, each preceded by its level; empty at ranks other than the first.
+/// Returns the remaining rows, each preceded by its level. Empty at all ranks except the first.
 std::vector<Words> TauElimination::at_first_rank() {
     constexpr std::size_t rows_a_message = 1U << 14U;
     const std::size_t width = store_.width();
@@ -202,7 +203,7 @@ std::vector<Words> TauElimination::at_first_rank() {
     return all;
 }
 
-/// Numbered by level and words, so that the cycle does not depend on the distribution of the rows.
+/// Numbers the rows by level and words, so that the cycle does not depend on the distribution of the rows.
 TauCycle TauElimination::decide(std::vector<Words> rows) {
     std::ranges::sort(rows);
     lts::StateStore store(store_.width());

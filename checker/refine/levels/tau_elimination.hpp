@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cycles of taus among the rows of all ranks. Every cycle contains a marked row (SearchRecord::marks). Taus are
-// followed from these. Rows to which no remaining tau leads are removed repeatedly, until no row remains or every
-// remaining row has such a tau: then there is a cycle (OWCTY without its fairness; Cerna and Pelanek, SPIN 2003; Barnat
-// et al. 2009). Rank 0 examines the remaining rows.
+// Finds cycles of taus among the rows of all ranks. Every cycle contains a marked row (SearchRecord::marks). The
+// algorithm follows taus from the marked rows. Then it repeatedly removes rows to which no remaining tau leads. If rows
+// remain, each of them has such a tau, so there is a cycle (OWCTY without its fairness; Cerna and Pelanek, SPIN 2003;
+// Barnat et al. 2009). Rank 0 examines the remaining rows.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ struct TauCycle {
     Run loop;  ///< a shortest cycle back to the row's state
 };
 
-/// One rank's part; its functions are collective.
+/// The part of one rank. Its functions are collective.
 class TauElimination {
 public:
     TauElimination(lts::TransitionSystem& system, RowStore& store, Exchange& exchange, Budget& budget, SharedWork& work,

@@ -33,7 +33,7 @@ public:
           sums_(threads),
           to_programs_(programs.ranks()),
           from_programs_(programs.ranks()) {}
-    /// The exchange of a thread, counted from 0.
+    /// Returns the exchange of a thread; threads are counted from 0.
     [[nodiscard]] std::unique_ptr<Exchange> exchange(unsigned thread);
     /// All other threads that wait now or later throw RankLost.
     void leave();
@@ -124,7 +124,7 @@ private:
     void read_those_of_programs(Messages& in) const {
         const Messages& came = meeting_.from_programs_;
         const std::size_t threads = meeting_.threads_;
-        // approximately the same number for each thread
+        // The number is approximately the same for each thread.
         in.words.reserve(in.words.size() + came.words.size() / threads);
         for (unsigned program = 0; program < came.sizes.size(); ++program) {
             if (program == meeting_.programs_.rank()) continue;
@@ -173,7 +173,7 @@ void Meeting::wait(bool able) {
     if (able && (unable_ || !all_came)) throw RankLost("another rank has ended");
 }
 
-/// All threads wait before and after, even if one has failed: others may still read its data.
+/// All threads wait before and after the part, even if one has failed, because others may still read its data.
 template <class Part>
 void Meeting::meet(const Part& part) {
     wait();
@@ -228,7 +228,7 @@ void Meeting::exchange_sums() {
     programs_.sum(sum_);
 }
 
-/// For each program: the number of words of each thread, then these words.
+/// A message contains, for each program, the number of words of each thread, and then these words.
 void Meeting::exchange_words() {
     Words own;
     for (const Words* const each : words_) own.push_back(static_cast<lts::Word>(each->size()));

@@ -31,7 +31,7 @@ public:
     [[nodiscard]] bool left_together() const override { return real_.left_together(); }
 
 private:
-    /// During its lifetime the rank waits.
+    /// The rank waits during the lifetime of this object.
     class Wait;
 
     Exchange& real_;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs that need not be searched, because a pair with the same state and fewer specification states has been:
-// everything that the larger set allows or forbids, the smaller one allows or forbids too, so every violation of the
-// larger one's runs is one of the smaller one's, and not longer. Laveaux, Groote and Willemse, "Correct and efficient
-// antichain algorithms for refinement checking" (LMCS 17(1), 2021): the test is made before a pair is entered. A pair
-// that has been entered is expanded, unless a pair that covers it is on its own level or before. So a pair that covers
-// another was reached by a run that is not longer, and shortest violations are those of the search of all pairs.
+// Finds pairs that need not be searched, because a pair with the same state and fewer specification states has been
+// searched. The smaller set of specification states allows and forbids everything that the larger set allows or
+// forbids. So every violation of a run of the larger pair is a violation of a run of the smaller one that is not
+// longer.
+//
+// Laveaux, Groote and Willemse, "Correct and efficient antichain algorithms for refinement checking" (LMCS 17(1),
+// 2021): the test is made before a pair is entered. A pair that has been entered is expanded, unless a pair that covers
+// it is on its own level or an earlier one. So a pair that covers another was reached by a run that is not longer, and
+// shortest violations are those of the search of all pairs.
 #pragma once
 
 #include <vector>
@@ -18,7 +21,7 @@ class Antichain {
 public:
     explicit Antichain(std::size_t width) : states_(width) {}
 
-    /// The number of a state, in the order of first appearance.
+    /// Returns the number of a state, in the order of first appearance.
     lts::StateIndex number(lts::StateView state);
     /// Whether a pair with this state has been entered whose node is included in `node`.
     [[nodiscard]] bool covers(lts::StateIndex state, Monitor::Node node, Monitor& monitor) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See budget.hpp. Memory is the resident memory of the whole program, because the systems store the states that are
-// searched, not the search.
+// See budget.hpp. Memory is the resident memory of the whole program, because the searched states are stored in the
+// systems and not in the search.
 #include "checker/refine/search/budget.hpp"
 
 #include <fmt/format.h>

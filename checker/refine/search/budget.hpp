@@ -13,7 +13,7 @@ namespace robochart::refine {
 
 using diagnostics::LimitReached;
 
-/// The run's budget, with a limit on states. It is charged by work done, and reports progress.
+/// The budget of the run, with a limit on states. The search charges it for work, and it reports progress.
 class Budget {
 public:
     explicit Budget(const Limits& limits, Progress::Phase phase = Progress::Phase::searching);

@@ -75,7 +75,7 @@ void Expander::expand_into(lts::StateView words) {
     out_->pairs.push_back(pair_);
 }
 
-/// The offers of unstable states are not used.
+/// The events that unstable states offer are not used.
 void Expander::settle_offer() {
     process::EventSet& events = offer_.events;
     const bool unstable = offer_.tau && std::ranges::find(events, process::tick) == events.end();
@@ -86,7 +86,7 @@ void Expander::settle_offer() {
     events.erase(end, events.end());
 }
 
-/// The monitor's answer, or the cached one if it is fresh.
+/// Returns the answer of the monitor, or the cached answer if it is valid.
 Monitor::Advance Expander::advance(Event event) {
     const std::size_t place = (node_ * 0x9E3779B1U ^ event * 0x85EBCA77U) >> 20U;
     Remembered& remembered = memory_[place];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Successors of several consecutive pairs, computed before any of them is looked up: so that several look-ups access
-// memory at the same time, and several threads can compute them.
+// Computes the successors of several consecutive pairs before any of them is looked up. Several look-ups can then
+// access memory at the same time, and several threads can compute successors.
 #pragma once
 
 #include <array>
@@ -13,7 +13,8 @@
 
 namespace robochart::refine {
 
-/// The results of expanding pairs of one level. A row is a target: the monitor's node, if it has nodes, and the state.
+/// The results of expanding pairs of one level. A row is a target: the monitor's node, if the monitor has nodes, and
+/// the state.
 class Expansion {
 public:
     struct Pair {
@@ -29,14 +30,14 @@ public:
     [[nodiscard]] lts::StateView row(std::size_t number) const { return {&words_[number * width_], width_}; }
     [[nodiscard]] std::uint64_t hash(std::size_t number) const { return hashes_[number]; }
     [[nodiscard]] bool by_tau(std::size_t number) const { return by_tau_[number] != 0; }
-    /// Appends a row, to be filled in.
+    /// Appends a row; the caller fills it in.
     std::span<lts::Word> add(bool by_tau);
     void set_hash(std::uint64_t hash) { hashes_[size_ - 1] = hash; }
     void shrink(std::size_t size) { size_ = size; }
 
-    /// Whether there is any result other than rows.
+    /// Whether there are results other than rows.
     [[nodiscard]] bool eventful() const;
-    /// Whether there is any result other than rows and forbidden events.
+    /// Whether there are results other than rows and forbidden events.
     [[nodiscard]] bool faulty() const;
 
     std::vector<Pair> pairs;
@@ -60,10 +61,10 @@ public:
 
     /// Expands from `first` on, until `end` is reached, there are enough rows, or a pair has failed with an error.
     void expand(lts::StateIndex first, lts::StateIndex end, std::size_t enough_rows, Expansion& out);
-    /// Expands one more pair, given by its words; `out` must have been cleared for rows of their number. Throws the
-    /// exceptions of the system, after removing the pair's rows.
+    /// Expands one more pair, given by its words. `out` must have been cleared for rows of their number. If the system
+    /// throws an exception, removes the rows of the pair and passes the exception on.
     void expand(lts::StateView words, Expansion& out);
-    /// From now on only taus are followed.
+    /// After this call only taus are followed.
     void follow_taus_alone() { taus_alone_ = true; }
 
 private:

@@ -41,8 +41,8 @@ struct Limits : diagnostics::Limits {
     /// Strategy of searches by levels (verdict/level_strategy.hpp); null: other searches are used. Verdicts do not
     /// depend on it.
     LevelStrategy* by_levels = nullptr;
-    /// During the lifetime of the returned object, a run that is to end is not killed; a thread may call the function
-    /// again meanwhile. May be empty.
+    /// Returns an object. During the lifetime of the object, a run that is to end is not killed. Several threads may
+    /// call the function. May be empty.
     std::function<std::shared_ptr<void>()> undisturbed;
     /// Called a few times a second, by the thread that called the check.
     std::function<void(const Progress&)> progress;
@@ -53,8 +53,8 @@ struct Statistics {
     std::uint64_t states = 0;  ///< number of visited pairs (specification node, implementation state), or states
     std::uint64_t transitions = 0;
     std::uint64_t depth = 0;  ///< breadth-first level of the last state
-    /// If a limit ended the search: all runs with fewer steps than this were examined, and none is a violation. 0:
-    /// unknown.
+    /// If a limit ended the search: all runs with fewer steps than this were examined, and none of them is a violation.
+    /// 0 if unknown.
     std::uint64_t searched_steps = 0;
     bool divergence_open = false;  ///< with searched_steps: these runs were not examined for divergence
     std::uint64_t spec_nodes = 0;  ///< number of normalised specification nodes

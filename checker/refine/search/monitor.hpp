@@ -11,7 +11,7 @@
 
 namespace robochart::refine {
 
-/// Nodes advance by visible events and tick; taus do not change the node.
+/// Nodes advance by visible events and tick. Taus do not change the node.
 class Monitor {
 public:
     using Node = lts::Word;
@@ -25,14 +25,14 @@ public:
     virtual Node start() = 0;
     /// Must return the same answer every time.
     virtual Advance advance(Node node, process::Event event) = 0;
-    /// The fault of a run that ends in this node and can continue with this offer. For an unstable state, the events
-    /// are unsorted; a monitor that observes only states gets one event for all.
+    /// Returns the fault of a run that ends in this node and can continue with this offer. The events of an unstable
+    /// state are unsorted. A monitor that observes only states gets one event that represents all events.
     virtual std::optional<ViolationKind> examine(Node node, const Offer& offer) = 0;
-    /// Whether there is a single node that every event keeps: only states are observed, not runs.
+    /// Whether there is only one node, which every event keeps. Such a monitor observes states and not runs.
     [[nodiscard]] virtual bool watches_states_only() const { return false; }
-    /// Whether every violation after `larger` is one after `smaller` too, by the same run or a shorter one.
+    /// Whether every violation after `larger` is also one after `smaller`, by the same run or a shorter one.
     [[nodiscard]] virtual bool includes(Node /*larger*/, Node /*smaller*/) const { return false; }
-    /// A monitor with the same answers for use in another thread; null if there is none.
+    /// Returns a monitor with the same answers for use in another thread. Null if this is not possible.
     [[nodiscard]] virtual std::unique_ptr<Monitor> another() { return nullptr; }
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_parts = 128;
 static_assert(most_parts * ProvisionalStates::most == lts::StateStore::most_claims);
-/// With less space for new states than this, a call does not pay off.
+/// A call does not pay off if there is less space for new states than this.
 constexpr std::uint64_t min_space = 4096;
 /// The maximal time between checks of the limits.
 constexpr std::chrono::milliseconds longest{20};
@@ -151,7 +151,7 @@ bool ParallelLevel::has_space(Part& part, const Expansion& expansion) {
     }
 }
 
-/// False if the table is full.
+/// Returns false if the table is full.
 bool ParallelLevel::enter(const Expansion& expansion, Part& part, std::size_t number) {
     Claiming claiming(parts_, number);
     std::uint32_t pair = 0;
@@ -169,7 +169,7 @@ bool ParallelLevel::enter(const Expansion& expansion, Part& part, std::size_t nu
     return true;
 }
 
-/// Enters the states that are new according to the part's claims permanently.
+/// Enters the new states of the part's claims permanently.
 void ParallelLevel::publish(Part& part) {
     constexpr std::uint32_t ahead = 8;
     StateIndex number = part.first_number;

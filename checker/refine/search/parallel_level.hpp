@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A part of a wide level, expanded and entered by several threads, with the same result as with one. Its pairs are
-// divided into blocks. A thread expands pairs of a block, looks up their targets in the shared table while they are in
-// its cache, and gives new states provisional numbers in the order of blocks and rows; among duplicates, the smallest
-// provisional number wins. When all blocks are done, the new states of each are counted, which gives the first final
-// number of each block, and the states are entered with their final numbers. So states have the same numbers and the
-// same parents for any number of threads. (Laarman, van de Pol and Weber, FMCAD 2010, share a table between threads in
-// this way, but do not number states.)
+// Expands and enters a part of a wide level with several threads. The result is the same as with one thread.
+//
+// The pairs are divided into blocks. A thread expands pairs of a block and looks up their targets in the shared table
+// while they are in its cache. New states get provisional numbers in the order of blocks and rows; among duplicates,
+// the smallest provisional number wins. When all blocks are done, the new states of each block are counted, which gives
+// the first final number of each block. Then the states are entered with their final numbers. So states have the same
+// numbers and the same parents for any number of threads. (Laarman, van de Pol and Weber, FMCAD 2010, share a table
+// between threads in this way, but do not number states.)
 #pragma once
 
 #include <atomic>
@@ -22,7 +23,7 @@ namespace robochart::refine {
 
 class ParallelLevel {
 public:
-    /// Null if the system or the monitor supports only one thread.
+    /// Returns null if the system or the monitor supports only one thread.
     static std::unique_ptr<ParallelLevel> make(const lts::TransitionSystem& system, Monitor& monitor,
                                                lts::StateStore& pairs, unsigned threads);
 
@@ -31,15 +32,15 @@ public:
         enter_note_taus,  ///< also records targets of taus that do not lead forward
         examine           ///< the first forbidden event is known: only pairs themselves are still examined
     };
-    /// Processes some pairs from `first` on, before `end`, and returns where it has stopped. That pair, or one soon
-    /// after it, has a fault, an error or a forbidden event, or needs more space than is left, or there has been enough
+    /// Processes some pairs from `first` on, before `end`, and returns where it has stopped. It stops at or shortly
+    /// before a pair with a fault, an error or a forbidden event, when space runs out, or when there has been enough
     /// work for one call.
     lts::StateIndex run(lts::StateIndex first, lts::StateIndex end, Work work);
     /// Whether the last call stopped at a pair that it cannot process. One thread then processes this many pairs, or
     /// all up to the end.
     [[nodiscard]] bool stopped() const { return stopped_; }
     static constexpr lts::StateIndex pairs_at_once = 128;
-    /// From now on only taus are followed.
+    /// After this call only taus are followed.
     void follow_taus_alone();
 
     /// The results of blocks of pairs, in order.

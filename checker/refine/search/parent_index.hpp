@@ -13,9 +13,9 @@ namespace robochart::refine {
 
 class ParentIndex {
 public:
-    /// The next state has been expanded and has found this many new ones.
+    /// Records that the next state has been expanded and has found this many new states.
     void expanded(std::uint32_t found);
-    /// Appends the record of another index for the following states.
+    /// Appends the record of another index, which describes the following states.
     void append(const ParentIndex& next);
     void clear();
     /// Defined for all states except state 0.

@@ -9,7 +9,8 @@
 
 namespace robochart::refine {
 
-/// The systems poll the budget during its lifetime; systems and budget must outlive it. Null pointers are ignored.
+/// The systems poll the budget during the lifetime of this object. The systems and the budget must outlive it. Null
+/// pointers are ignored.
 class PollGuard {
 public:
     PollGuard(std::vector<lts::TransitionSystem*> systems, Budget& budget) : systems_(std::move(systems)) {

@@ -36,7 +36,7 @@ public:
         const Place place = place_of(number);
         return chunks_[place.chunk].words.get() + place.offset * width_;
     }
-    /// Allocates memory for this many more. False if there would be too many.
+    /// Allocates memory for this many more states. Returns false if there would be too many.
     bool make_space(std::size_t more) {
         if (size_ + more > most) return false;
         for (std::size_t chunk = 0; chunk <= place_of(static_cast<std::uint32_t>(size_ + more)).chunk; ++chunk) {
@@ -58,7 +58,7 @@ public:
         claim.slot = slot;
         claim.pair = pair;
     }
-    /// Called by the thread whose claim has replaced it.
+    /// Called by the thread whose claim has replaced this one.
     void lose(std::uint32_t number) { std::atomic_ref((*this)[number].lost).store(true, std::memory_order_relaxed); }
 
 private:

@@ -22,7 +22,7 @@ struct Run {
     std::vector<RunStep> steps;
 
     [[nodiscard]] const std::vector<lts::Word>& last() const { return steps.empty() ? initial : steps.back().state; }
-    /// Its visible events and tick.
+    /// Returns the visible events and tick of the run.
     [[nodiscard]] std::vector<process::Event> trace() const {
         std::vector<process::Event> events;
         for (const RunStep& step : steps)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The product search, level by level. If divergence matters, taus that do not lead forward are recorded; the cycle
-// search afterwards begins with them and computes all taus again.
+// The product search, level by level. If divergence matters, the search records taus that do not lead forward. The
+// cycle search begins with these taus and computes all other taus again.
 #include "checker/refine/search/search.hpp"
 
 #include <algorithm>
@@ -121,7 +121,7 @@ std::optional<Finding> Search::search_wide_level(StateIndex first, StateIndex en
     return std::nullopt;
 }
 
-/// Records what `take` records for the rows that it enters.
+/// Records the results of a block like those of single expansions.
 void Search::note(const ParallelLevel::Block& block) {
     budget_.charge(block.pairs);
     expanded_ += block.pairs;
@@ -151,8 +151,8 @@ std::optional<Finding> Search::take(const Expansion& expansion, StateIndex first
     return std::nullopt;
 }
 
-/// The targets of one pair. Their lines in the table have been prefetched; their states are usually in the cache,
-/// because they have been found recently.
+/// Inserts the targets of one pair. Their lines in the table have been prefetched. Their states are usually in the
+/// cache, because they have been found recently.
 void Search::insert(const Expansion& expansion, StateIndex pair, std::size_t first, std::size_t end) {
     const std::optional<StateIndex> vertex = note_taus_ ? tau_vertex(pair) : std::nullopt;
     constexpr std::size_t between_counts = 4096;  // one pair may have any number of targets
@@ -166,7 +166,7 @@ void Search::insert(const Expansion& expansion, StateIndex pair, std::size_t fir
     parents_.expanded(found);
 }
 
-/// Keyed by pair, or by state when antichains are used, because divergence does not depend on the specification node.
+/// Looks up a pair. With antichains the key is the state, because divergence does not depend on the specification node.
 lts::StateStore::Insertion Search::enter(StateView row, std::uint64_t hash) {
     if (!antichain_) return pairs_.insert(row, hash);
     const StateIndex state = antichain_->number(row.subspan(1));
@@ -175,7 +175,8 @@ lts::StateStore::Insertion Search::enter(StateView row, std::uint64_t hash) {
     return {state, true};
 }
 
-/// The vertex in the graph of taus: the pair, or with an antichain its state, if this is the state's first pair.
+/// Returns the vertex in the graph of taus. It is the pair; with an antichain it is the state, if the pair is the first
+/// of this state.
 std::optional<StateIndex> Search::tau_vertex(StateIndex pair) {
     if (!antichain_) return pair;
     const StateIndex number = antichain_->number(state(pair));
@@ -231,7 +232,7 @@ private:
     std::optional<Monitor::Node> node_;
 };
 
-/// All of them are in the store, since the search has visited everything.
+/// All targets are in the store, because the search has visited everything.
 void Search::tau_targets(StateIndex pair, std::vector<StateIndex>& targets) {
     budget_.charge();
     TauRows rows(pairs_, nodes_ ? std::optional(node(pair)) : std::nullopt);

@@ -30,7 +30,7 @@ class Search {
 public:
     /// Which pairs are stored: all, or only those that no other pair covers (antichain.hpp).
     enum class Pairs { all, antichain };
-    /// `note_taus`: first_tau_cycle will be called.
+    /// `note_taus`: whether first_tau_cycle will be called.
     Search(lts::TransitionSystem& system, Monitor& monitor, Budget& budget, bool note_taus = false,
            Pairs pairs = Pairs::all);
 
@@ -38,23 +38,23 @@ public:
     Search& operator=(const Search&) = delete;
     ~Search();
 
-    /// The first violation by length of run; among runs of the same length, a state's fault comes before a forbidden
-    /// event. No value if all pairs have been visited. Throws LimitReached. For pairs whose shortest runs have
-    /// `events_until` steps or more, only taus are followed. This suffices to find the first pair on a cycle of taus,
-    /// if that pair is known to be reached by `events_until` steps.
+    /// Returns the violation with the shortest run. Among runs of the same length, a state's fault comes before a
+    /// forbidden event. No value if all pairs have been visited. Throws LimitReached. For pairs whose shortest runs
+    /// have `events_until` steps or more, only taus are followed. This suffices to find the first pair on a cycle of
+    /// taus, if that pair is known to be reached in `events_until` steps.
     std::optional<Finding> first_violation(std::uint64_t events_until = std::numeric_limits<std::uint64_t>::max());
-    /// After a search without violation that noted taus: the first pair on a tau cycle.
+    /// Returns the first pair on a tau cycle. Call it after a search that noted taus and found no violation.
     std::optional<lts::StateIndex> first_tau_cycle();
-    /// A shortest cycle of taus through the pair, as pairs; the last one is the pair itself.
+    /// Returns a shortest cycle of taus through the pair as pairs. The last pair is the pair itself.
     std::vector<lts::StateIndex> tau_cycle(lts::StateIndex pair);
 
-    /// The run by which the pair was found.
+    /// Returns the run by which the pair was found.
     [[nodiscard]] std::vector<lts::StateIndex> path_to(lts::StateIndex pair) const;
     [[nodiscard]] Monitor::Node node(lts::StateIndex pair) const { return nodes_ ? pairs_[pair][0] : 0; }
     [[nodiscard]] lts::StateView state(lts::StateIndex pair) const {
         return nodes_ ? pairs_[pair].subspan(1) : pairs_[pair];
     }
-    /// The run along these pairs, which starts at the first one.
+    /// Returns the run along these pairs, which starts at the first one.
     [[nodiscard]] Run run_along(const std::vector<lts::StateIndex>& pairs, bool by_taus_alone = false);
 
     [[nodiscard]] std::uint64_t states() const { return pairs_.size(); }

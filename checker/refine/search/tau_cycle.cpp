@@ -12,7 +12,7 @@ using lts::StateIndex;
 namespace {
 
 /// Follows edges from the entrances and returns the entrances to which a visited edge leads back. A cycle contains such
-/// an edge and all its vertices are visited, so entrances that are left out are on no cycle.
+/// an edge, and all its vertices are visited. So entrances that are left out are not on a cycle.
 std::vector<StateIndex> entered_again(const GraphView& graph, const std::vector<StateIndex>& entrances) {
     std::vector<bool> met(graph.size, false);
     std::vector<StateIndex> waiting;
@@ -60,7 +60,7 @@ std::vector<StateIndex> BackTargets::list() const {
     return list;
 }
 
-/// Entrances are eliminated first as long as this pays off: most systems without divergence have none left.
+/// Eliminates entrances first while this pays off. For most systems without divergence no entrance remains.
 std::optional<StateIndex> least_on_cycle(const GraphView& graph, std::vector<StateIndex> entrances) {
     for (std::size_t before = 0; !entrances.empty();) {
         before = entrances.size();

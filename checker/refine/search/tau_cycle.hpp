@@ -11,8 +11,8 @@ namespace robochart::refine {
 
 using lts::GraphView;
 
-/// The targets of edges that do not lead forward, from a lower number to a higher one; every cycle contains such an
-/// edge.
+/// Collects the targets of edges that do not lead forward, which means from a lower number to a higher one. Every cycle
+/// contains such an edge.
 class BackTargets {
 public:
     void note(lts::StateIndex from, lts::StateIndex to) {
@@ -26,11 +26,11 @@ private:
     std::vector<bool> marked_;
 };
 
-/// The least vertex on a cycle (including self-loops). `entrances`: all targets of edges that do not lead forward,
-/// ascending; vertices that these do not reach are skipped.
+/// Returns the least vertex on a cycle (including self-loops). `entrances`: all targets of edges that do not lead
+/// forward, ascending. Vertices that cannot be reached from them are skipped.
 [[nodiscard]] std::optional<lts::StateIndex> least_on_cycle(const GraphView& graph,
                                                             std::vector<lts::StateIndex> entrances);
-/// A shortest cycle through the vertex: the vertices after it; the last one is the vertex itself. Empty if there is
+/// Returns a shortest cycle through the vertex: the vertices after it, and finally the vertex itself. Empty if there is
 /// none.
 [[nodiscard]] std::vector<lts::StateIndex> shortest_cycle(const GraphView& graph, lts::StateIndex through);
 
