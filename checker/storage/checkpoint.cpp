@@ -231,7 +231,7 @@ Checkpoint read(const std::string& folder, const RowKind& kind, const std::strin
 
 namespace {
 
-/// The checkpoints of all ranks with this number. Throws BadFile.
+/// Returns the checkpoints of all ranks with this number. Throws BadFile.
 std::vector<Checkpoint> together(const std::string& folder, const RowKind& kind, std::uint64_t number,
                                  std::uint32_t ranks) {
     std::vector<Checkpoint> all;
@@ -245,7 +245,7 @@ std::vector<Checkpoint> together(const std::string& folder, const RowKind& kind,
     return all;
 }
 
-/// The number of checkpoint files by checkpoint number and number of ranks.
+/// Counts checkpoint files by checkpoint number and number of ranks.
 std::map<std::pair<std::uint64_t, std::uint32_t>, std::uint32_t> counted(const std::string& folder) {
     std::map<std::pair<std::uint64_t, std::uint32_t>, std::uint32_t> found;
     for (const std::string& name : names_in(folder))
@@ -253,8 +253,8 @@ std::map<std::pair<std::uint64_t, std::uint32_t>, std::uint32_t> counted(const s
     return found;
 }
 
-/// The number of the newest complete checkpoint with this number of ranks; 0: there is none. Other ranks may write and
-/// remove checkpoints at the same time, so one that cannot be read does not count.
+/// Returns the number of the newest complete checkpoint with this number of ranks, or 0 if there is none. Other ranks
+/// may write and remove checkpoints at the same time, so a checkpoint that cannot be read does not count.
 std::uint64_t complete_number(const std::string& folder, const RowKind& kind, std::uint32_t wanted) {
     const auto found = counted(folder);
     for (auto at = found.rbegin(); at != found.rend(); ++at) {

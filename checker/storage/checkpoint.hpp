@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A checkpoint of a search: the files with the levels, and the other data that the search needs to continue. Each rank
-// writes one, as a text file that ends with a check, when all its files are on the disk. Checkpoints are numbered; a
-// number is complete if all ranks have written theirs. The previous one is kept until then, so that a search that is
-// killed at any moment can continue from the newest complete one.
+// writes a text file that ends with a check, when all its files are on the disk. Checkpoints are numbered. A number is
+// complete if all ranks have written their checkpoints. The previous checkpoint is kept until then. So a search that is
+// killed at any moment can continue from the newest complete checkpoint.
 #pragma once
 
 #include <cstdint>
@@ -59,11 +59,12 @@ struct Newest {
     std::uint64_t greatest = 0;  ///< greatest number, complete or not; 0: there is none
 };
 [[nodiscard]] Newest newest_in(const std::string& folder);
-/// The newest complete one, with the checkpoints in the order of ranks; empty if there is none. If ranks have closed
-/// different numbers of levels, only the levels that all have closed are valid. Throws BadFile.
+/// Reads the newest complete checkpoint of every rank, in the order of ranks. Empty if there is none. If ranks have
+/// closed different numbers of levels, only the levels that all have closed are valid. Throws BadFile.
 [[nodiscard]] std::vector<Checkpoint> read(const std::string& folder, const RowKind& kind, const Newest& newest);
 /// Removes obsolete files in a folder: checkpoints older than the newest complete one with this number of ranks, and
-/// files that no checkpoint names. Each rank removes its own files; rank 0 also those of ranks that no longer exist.
+/// files that no checkpoint names. Each rank removes its own files. Rank 0 also removes those of ranks that no longer
+/// exist.
 void remove_old(const std::string& folder, const RowKind& kind, const Place& place);
 
 }  // namespace robochart::storage

@@ -19,9 +19,9 @@ enum class Lock {
 /// Opens a regular file for reading and writing, never through a symbolic link. `make`: creates an empty file if it
 /// does not exist. On failure the descriptor is not open and errno is set.
 [[nodiscard]] diagnostics::Descriptor open_to_lock(const std::string& path, bool make);
-/// Locks a file that open_to_lock has opened, until it is closed, without waiting; replaces a lock that it already has.
-/// Returns "" or the reason of the failure: `in_use` if another process has a conflicting lock, or if another file has
-/// replaced this one.
+/// Locks a file that open_to_lock has opened, until it is closed. Does not wait, and replaces a lock that this process
+/// already has. Returns "" or the reason of the failure: `in_use` if another process has a conflicting lock, or if
+/// another file has replaced this one.
 [[nodiscard]] std::string lock(const diagnostics::Descriptor& file, const std::string& path, Lock kind,
                                const std::string& in_use);
 

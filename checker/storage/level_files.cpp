@@ -131,8 +131,8 @@ std::uint32_t LevelFiles::give_up(std::uint32_t count) {
     return given;
 }
 
-/// Truncates a file that no checkpoint names, even if it was finished; it can grow again. A file that a checkpoint
-/// names stays, and some of its blocks are no longer valid.
+/// Truncates a file that no checkpoint names, even if it was finished, and the file can grow again. A file that a
+/// checkpoint names is kept, but some of its blocks are no longer valid.
 void LevelFiles::forget_from(std::uint32_t level) {
     if (level >= levels_.size()) return;
     for (std::size_t i = level; i < levels_.size(); ++i) {
@@ -230,8 +230,8 @@ void LevelFiles::note_written(const Checkpoint& made) {
         if (each.used > 0) each.named = true;
 }
 
-/// On failure, deletes the files written in addition to the levels, because the disk may be full; but not if the
-/// checkpoint has its name and only the folder may not have reached the disk.
+/// On failure, deletes the files that were written in addition to the levels, because the disk may be full. They are
+/// kept if the checkpoint already has its name and only the folder may not have reached the disk.
 void LevelFiles::checkpoint(const Beside& beside) {
     Checkpoint made{number_ + 1, where_.place, levels(), {}, {}, {}, beside.expanded};
     try {

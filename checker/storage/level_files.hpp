@@ -14,7 +14,7 @@
 
 namespace robochart::storage {
 
-/// The folder of a rank.
+/// The folder of the files of a rank.
 struct FolderOf {
     std::string folder;  ///< must exist
     RowKind kind;
@@ -59,7 +59,7 @@ public:
     /// Closes finished files until they are read again. Otherwise one of them stays open.
     void rest();
 
-    /// Passes rows piece by piece; those of each piece are ascending, without duplicates.
+    /// Passes rows piece by piece. The rows of each piece are ascending, without duplicates.
     using GivePieces = std::function<void(const TakeRows&)>;
     /// The contents of a checkpoint in addition to the levels.
     struct Beside {
@@ -70,7 +70,7 @@ public:
     /// Writes a checkpoint of all levels. Removes this rank's checkpoints that are older than the newest complete one.
     /// Throws CannotWrite; then the previous one stays valid, and the call can be repeated.
     void checkpoint(const Beside& beside);
-    /// The number of the last checkpoint; 0: there is none.
+    /// The number of the last checkpoint, or 0 if there is none.
     [[nodiscard]] std::uint64_t number() const { return number_; }
     /// The next checkpoint gets a number above this one.
     void number_from(std::uint64_t number) { number_ = number; }
@@ -110,7 +110,7 @@ private:
     std::uint32_t saved_levels_ = 0;  ///< levels in the last checkpoint
     std::uint64_t next_name_ = 0;
     std::uint32_t open_file_ = 0xFFFFFFFFU;  ///< the only finished file that may be open
-    // the block that was last read
+    // The block that was read last.
     std::uint32_t cached_file_ = 0xFFFFFFFFU;
     std::uint32_t cached_block_ = 0;
     std::vector<Word> cached_;

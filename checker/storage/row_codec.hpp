@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Encodes rows in ascending order compactly: each as its difference from the previous row.
+// Encodes ascending rows compactly: each row is stored as its difference from the previous row.
 //
-// A row is a fixed number of words; rows are ordered by the first word, then the second, and so on. If row r follows
+// A row is a fixed number of words. Rows are ordered by the first word, then the second, and so on. If row r follows
 // row q and k is the index of the first word that differs, the code is the number (r[k] - q[k] - 1) * width + (width -
 // 1 - k), followed, for each word i > k, by the number r[i] xor q[i]. For the first row each word is a number. Numbers
 // are varints: seven bits in each byte, the lowest first, the top bit set in all bytes except the last.
@@ -24,7 +24,7 @@ void encode_rows(std::span<const Word> rows, std::size_t width, std::string& out
 /// words appended so far are then invalid. Decoded rows are ascending and without duplicates.
 [[nodiscard]] bool decode_rows(std::string_view bytes, std::size_t width, std::size_t count, std::vector<Word>& rows);
 
-/// Decodes such a code piece by piece.
+/// Decodes rows piece by piece.
 class RowDecoder {
 public:
     /// `bytes` must outlive the object. `width`: words in a row, not 0.

@@ -129,8 +129,8 @@ void RowFile::append(std::uint32_t level, std::span<const Word> rows) {
     }
 }
 
-/// Also removes data after the last block: an incomplete block, or the end. A finished file may be closed, or open for
-/// reading.
+/// Also removes data after the last block, such as an incomplete block or the end. A finished file may be closed, or
+/// open for reading.
 void RowFile::cut(std::size_t blocks) {
     if (finished_) {
         file_ = diagnostics::Descriptor(::open(path_.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
@@ -162,7 +162,7 @@ void RowFile::write_block(std::uint32_t level, std::span<const Word> rows) {
     write(buffer_);
 }
 
-/// The end without its check; also computes the check over the checks of all blocks.
+/// Returns the end without its check, and computes the check over the checks of all blocks.
 std::string RowFile::end_of() const {
     std::string end;
     put(end, no_level, 4);

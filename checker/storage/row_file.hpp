@@ -26,13 +26,13 @@
 
 namespace robochart::storage {
 
-/// The kind of a file's rows: their width, and a digest of the search that has found them.
+/// The kind of the rows in a file: their width, and a digest of the search that has found them.
 struct RowKind {
     std::size_t width = 0;
     diagnostics::Digest search{};
 };
 
-/// The kind of such rows followed by their levels as another word.
+/// Returns the kind of such rows followed by their levels as another word.
 [[nodiscard]] RowKind with_level(RowKind kind);
 
 /// Receives some rows.
@@ -57,12 +57,12 @@ public:
     /// Appends rows of one level, ascending, without duplicates, after those of this level in the file. Throws
     /// CannotWrite; after any exception the file is unchanged.
     void append(std::uint32_t level, std::span<const Word> rows);
-    /// Removes the blocks from this number on from a file that was created and that nothing refers to; it is then no
-    /// longer finished.
+    /// Removes the blocks from this number on. The file must have been created by this object, and nothing may refer to
+    /// it. It is then no longer finished.
     void cut(std::size_t blocks);
     /// Completes the file: nothing more is appended, and its contents are on the disk. Throws CannotWrite and then
-    /// leaves the file unchanged. If the contents could not be written to the disk, its state there is unknown: it can
-    /// be read, but neither finished nor extended.
+    /// leaves the file unchanged. If the contents could not be written to the disk, the file can be read, but neither
+    /// finished nor extended.
     void finish();
     [[nodiscard]] bool finished() const { return finished_; }
     /// Closes a finished file until it is read again, because few files can be open at a time.
@@ -79,14 +79,14 @@ public:
     }
     /// Appends the rows of a block to `rows`. Throws BadFile if they differ from what was written.
     void read(std::size_t block, std::vector<Word>& rows) const;
-    /// The code of these rows (row_codec.hpp). Returns its check.
+    /// Reads the code of these rows (row_codec.hpp). Returns its check.
     Check read_code(std::size_t block, std::string& code) const;
-    /// Memory use: the offset, first row and check of each block.
+    /// Memory use for the offset, first row and check of each block.
     [[nodiscard]] std::uint64_t bytes() const {
         return blocks_.capacity() * sizeof(Block) + checks_.capacity() * sizeof(Check) +
                firsts_.capacity() * sizeof(Word);
     }
-    /// The check at the end of a finished file, which is unique to the file.
+    /// The check at the end of a finished file. It identifies the file.
     [[nodiscard]] const Check& check() const { return end_check_; }
 
 private:

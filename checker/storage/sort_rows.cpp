@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Radix sort from the last byte to the first; bytes in which no two rows differ are skipped. Rows of a level differ in
-// few bytes, so this takes a quarter of the time of comparisons.
+// Radix sort from the last byte to the first. Bytes in which no two rows differ are skipped. Rows of a level differ in
+// few bytes, so this takes a quarter of the time of a sort by comparisons.
 #include "checker/storage/sort_rows.hpp"
 
 #include <algorithm>

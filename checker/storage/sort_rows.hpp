@@ -8,7 +8,7 @@
 
 namespace robochart::storage {
 
-/// The size of `rows` is a multiple of `width` words. Needs the same amount of memory again while it works.
+/// The size of `rows` is a multiple of `width` words. The sort needs the same amount of memory again.
 void sort_rows(std::vector<std::uint32_t>& rows, std::size_t width);
 
 }  // namespace robochart::storage

@@ -11,12 +11,12 @@
 namespace robochart::storage {
 namespace {
 
-/// Each merged run has a block in memory.
+/// The limit on merged runs, because each of them has a block in memory.
 constexpr std::size_t most_runs = 64;
 
 }  // namespace
 
-/// Reads a run row by row. The code of a block and a few rows are in memory.
+/// Reads a run row by row. Keeps the code of a block and a few rows in memory.
 class SortedRuns::Reader {
 public:
     Reader(const RowFile& file, const Run& run, std::size_t width)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows in sorted runs, in an unnamed file that is deleted when the program ends; returned in order, without duplicates.
-// Sorts rows that do not fit into memory (external sorting: Knuth, TAOCP 3, 5.4.1).
+// Stores rows in sorted runs in an unnamed file that is deleted when the program ends, and returns them in order,
+// without duplicates. Sorts rows that do not fit into memory (external sorting: Knuth, TAOCP 3, 5.4.1).
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace robochart::storage {
 
 class SortedRuns {
 public:
-    /// The file has this path until it is open. `kind`: of the rows.
+    /// The file has this path until it is open. `kind`: the kind of the rows.
     SortedRuns(std::string path, const RowKind& kind) : path_(std::move(path)), kind_(kind) {}
 
     /// Adds a run: ascending rows without duplicates. Runs may have rows in common. Throws CannotWrite and then leaves

@@ -10,21 +10,21 @@
 namespace robochart::storage {
 
 /// Thrown if a given file is damaged, truncated, or belongs to something else. The message contains the file, the place
-/// in it, and the cause.
+/// in it and the cause.
 class BadFile : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// Thrown if a file cannot be written: the disk is full, or the folder cannot be used. It is a limit like others: data
-/// written before are unchanged.
+/// Thrown if a file cannot be written, because the disk is full or the folder cannot be used. It is handled like other
+/// limits. Data written before are unchanged.
 class CannotWrite : public diagnostics::LimitReached {
 public:
     using diagnostics::LimitReached::LimitReached;
 };
 
-/// Throws the error for a file that cannot be opened for reading; `error` is the system's error (errno). LimitReached
-/// if too many files are open, which is not an error of the file; otherwise BadFile.
+/// Throws the error for a file that cannot be opened for reading. `error` is the system's error (errno). Throws
+/// LimitReached if too many files are open, because this is not an error of the file; otherwise BadFile.
 [[noreturn]] void cannot_open(const std::string& path, int error);
 
 }  // namespace robochart::storage

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The checks of check.hpp, each as a search with its monitor; determinism and `has trace` have separate files.
+// The checks of check.hpp. Each of them is a search with its monitor. Determinism and `has trace` have separate files.
 #include "checker/refine/verdict/check.hpp"
 
 #include <fmt/format.h>
@@ -83,7 +83,8 @@ void fail(Verdict& verdict, Counterexample counterexample) {
     verdict.counterexample = std::move(counterexample);
 }
 
-/// The specification's side of a refusal or of a forbidden event: what it allows after the same trace.
+/// Returns the acceptances or events that the specification allows after the same trace, for a refusal or a forbidden
+/// event.
 std::vector<process::EventSet> required_after(NormalForm& specification, const Violation& violation) {
     std::vector<Event> trace = violation.run.trace();
     if (violation.kind == ViolationKind::divergence) return {};
@@ -101,8 +102,8 @@ Counterexample violation_counterexample(NormalForm& normal, const Confirmed& con
     return counterexample;
 }
 
-/// A refinement as a query for a search by levels. No value if there is no such search, or the normal form cannot be
-/// completed: it is too large, or a part that the search may never reach cannot be evaluated.
+/// Converts a refinement to a query for a search by levels. No value if there is no such search, or if the normal form
+/// cannot be completed: it is too large, or a part that the search may never reach cannot be evaluated.
 std::optional<LevelQuestion> refinement_by_levels(NormalForm& normal, Model model, Search::Pairs pairs,
                                                   const Budget& budget) {
     if (budget.limits().by_levels == nullptr || pairs == Search::Pairs::antichain) return std::nullopt;
@@ -118,8 +119,8 @@ std::optional<LevelQuestion> refinement_by_levels(NormalForm& normal, Model mode
     }
 }
 
-/// The first fault that the search finds; if the search is ended before, records how far it has searched, if
-/// `levels_count`.
+/// Returns the first fault that the search finds. If the search ends early, records how far it has searched, provided
+/// that `levels_count`.
 std::optional<Finding> first_fault(Search& search, const Violation* known, bool levels_count, bool with_divergence,
                                    Statistics& statistics) {
     try {
@@ -131,14 +132,14 @@ std::optional<Finding> first_fault(Search& search, const Violation* known, bool 
     }
 }
 
-/// Every process refines one that diverges at once; only the implementation's first step is computed, which detects
-/// evaluation errors.
+/// Every process refines one that diverges at once. Only the first step of the implementation is computed, which
+/// detects evaluation errors.
 std::optional<Violation> refined_by(lts::TransitionSystem& implementation, Budget& budget) {
     (void)steps_from(implementation, initial_of(implementation), budget);
     return std::nullopt;
 }
 
-/// The first fault of the implementation's runs with respect to the normal form.
+/// Returns the first fault of the implementation's runs with respect to the normal form.
 std::optional<Violation> search_refinement(NormalForm& normal, lts::TransitionSystem& implementation, Model model,
                                            Search::Pairs pairs, Budget& budget, Statistics& statistics,
                                            const Violation* known) {

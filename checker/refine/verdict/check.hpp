@@ -11,11 +11,12 @@
 
 namespace robochart::refine {
 
-/// The result of an earlier search of the same systems, used instead of a search: a violation is confirmed and reported
-/// as if it had been found now. Empty: receives the result of this search, if it comes to an end. Null: neither.
+/// The findings of an earlier search of the same systems. A value replaces the search: its violation is confirmed and
+/// reported as if it had been found now. No value: receives the findings of this search when it is complete. Null:
+/// neither.
 using Earlier = std::optional<Findings>*;
 
-/// specification [M= implementation. Both must share one EventTable.
+/// specification [M= implementation. Both systems must share one EventTable.
 [[nodiscard]] Verdict refines(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model,
                               const Limits&, Earlier earlier = nullptr);
 /// :[deadlock free [M]]. M is failures (divergence is ignored) or failures_divergences (a divergence violates it). A

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes states for readers, and the offer of the last one.
+// Describes the states of a run for readers, and the offer of the last state.
 #include "checker/refine/verdict/counterexample.hpp"
 
 #include "checker/refine/search/steps.hpp"

@@ -7,9 +7,9 @@
 
 namespace robochart::refine {
 
-/// The violation with descriptions of its states; the caller fills in `required`.
+/// Returns the violation with descriptions of its states. The caller fills in `required`.
 [[nodiscard]] Counterexample tell(const Confirmed& confirmed);
-/// Nondeterminism: adds the run that accepts the event that the counterexample's run refuses.
+/// For nondeterminism: adds the run that accepts the event that the counterexample's run refuses.
 void tell_accepting(const Confirmed& accepting, Counterexample& counterexample);
 
 }  // namespace robochart::refine

@@ -32,7 +32,7 @@ struct Ambiguity {
     Event event;
 };
 
-/// An event that is possible here and missing in some acceptance.
+/// Returns an event that is possible in this node and missing in some acceptance.
 std::optional<Event> refusable(NormalForm& normal, NormalForm::Node node) {
     const EventSet initials = normal.initials(node);
     for (const EventSet& accepted : normal.acceptances(node))
@@ -63,7 +63,7 @@ std::optional<Ambiguity> first_ambiguity(NormalForm& normal) {
     return std::nullopt;
 }
 
-/// The shortest run of the trace to a state that can refuse the event.
+/// Returns the shortest run of the trace to a state that can refuse the event.
 Violation refusing_run(lts::TransitionSystem& system, const Ambiguity& ambiguity, Budget& budget) {
     TraceMonitor monitor(ambiguity.trace, ambiguity.trace.size(), ambiguity.event);
     Search search(system, monitor, budget);
@@ -87,7 +87,7 @@ std::optional<Violation> divergence_of(lts::TransitionSystem& system, Budget& bu
     return first_divergence(search);
 }
 
-/// Counts and reports nodes while they are created, also if a limit ends the normalisation.
+/// Counts and reports nodes while they are created, even if a limit ends the normalisation.
 class Normalising {
 public:
     Normalising(const NormalForm& normal, Budget& budget, Statistics& statistics)
@@ -120,13 +120,14 @@ bool leaves_no_choice(lts::TransitionSystem& system, Budget& budget, Statistics&
     return !search.first_violation();
 }
 
-/// Thrown if the resolution finds endless taus.
+/// Thrown if the resolution finds an infinite sequence of taus.
 class Unresolved : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// P': nodes are the states in which the first taus end. Termination comes before any other event (stability.hpp).
+/// The process P'. Its nodes are the states in which the first taus end. Termination comes before any other event
+/// (stability.hpp).
 class Resolution final : public Monitor {
 public:
     Resolution(lts::TransitionSystem& system, Budget& budget) : graph_(system, budget) {}
@@ -140,7 +141,7 @@ public:
     std::optional<ViolationKind> examine(Node node, const Offer& offer) override {
         return refused(node, offer) ? std::optional(ViolationKind::nondeterminism) : std::nullopt;
     }
-    /// An event of the node that a state with this offer may refuse.
+    /// Returns an event of the node that a state with this offer may refuse.
     std::optional<Event> refused(Node node, const Offer& offer) {
         const std::optional<EventSet> accepted = acceptance(offer);
         if (!accepted) return std::nullopt;
@@ -171,7 +172,7 @@ private:
     std::vector<lts::StateIndex> settled_;
 };
 
-/// Finds where P performs an event that P' does not, or refuses one that P' performs.
+/// Finds a trace after which P performs an event that P' does not perform, or refuses an event that P' performs.
 std::optional<Ambiguity> against_resolution(lts::TransitionSystem& system, Budget& budget, Statistics& statistics) {
     Resolution resolution(system, budget);
     Search search(system, resolution, budget);
@@ -212,7 +213,7 @@ std::optional<Violation> search_choice(lts::TransitionSystem& system, Model mode
     return violation;
 }
 
-/// If a limit ends the search for it, the verdict is given without it.
+/// If a limit ends the search for the accepting run, the verdict is reported without it.
 void add_accepting_run(lts::TransitionSystem& system, const Violation& refusing, Budget& budget,
                        Counterexample& counterexample) {
     std::vector<Event> trace = refusing.run.trace();
@@ -234,7 +235,7 @@ void decide_determinism(lts::TransitionSystem& system, Model model, Budget& budg
         [&](lts::TransitionSystem& searched, Budget& own, Statistics& size, const Violation* known) {
             return search_choice(searched, model, own, size, known);
         },
-        // The resolutions of a state and of its image make different choices.
+        // A state and its image under a symmetry may have resolutions with different choices.
         [](const lts::EventPermutation&) { return false; }};
     const std::optional<Violation> violation =
         found(earlier, verdict, [&] { return search_reduced(system, budget, verdict.statistics, question); });

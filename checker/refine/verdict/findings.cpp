@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers of 64 bits in sequence; lists are preceded by their length.
+// Encodes findings as a sequence of 64-bit numbers. Each list is preceded by its length.
 #include "checker/refine/verdict/findings.hpp"
 
 #include <algorithm>

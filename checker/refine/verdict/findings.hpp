@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The result of a search, before it is confirmed and reported; as bytes, so that another run can use it.
+// The result of a search before it is confirmed and reported. It can be encoded as bytes, so that another run can use
+// it.
 #pragma once
 
 #include <optional>
@@ -21,13 +22,13 @@ struct Violation {
     bool shortest = true;                 ///< false if a limit has ended the search for a shorter run
 };
 
-/// The result of a search that came to an end. Equal systems have equal findings.
+/// The result of a complete search. Equal systems have equal findings.
 struct Findings {
     Statistics statistics;
     std::optional<Violation> violation;
 };
 
-/// The findings as bytes. Events are written as their indices in `named`, which must be ascending and contain all of
+/// Encodes the findings. Events are written as their indices in `named`, which must be ascending and contain all of
 /// them.
 [[nodiscard]] std::string encode(const Findings&, const process::EventSet& named);
 /// Decodes findings; no value if the bytes are not findings with these events and states of `width` words.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a specification distinguishes events that a symmetry of the implementation exchanges.
+// Decides whether a specification distinguishes events that a symmetry of the implementation exchanges.
 #pragma once
 
 #include <optional>
@@ -16,10 +16,10 @@ public:
     Indifference(lts::TransitionSystem& specification, Model model, Budget& budget)
         : specification_(specification), model_(model), budget_(budget) {}
 
-    /// Whether exchanged events lead from each node of the normal form to the same node and, except in the traces
-    /// model, each node has with every acceptance its image. Then a state of an implementation violates a node iff its
-    /// images do. Also false if there are more than 10,000 nodes, or for an evaluation error, which the search may
-    /// never reach.
+    /// Whether two conditions hold for exchanged events. They lead from each node of the normal form to the same node.
+    /// Except in the traces model, the image of each acceptance of a node is also an acceptance of the node. Then a
+    /// state of an implementation violates a node if and only if its images do. Returns false if there are more than
+    /// 10,000 nodes, or after an evaluation error, which the search may never reach.
     bool to(const lts::EventPermutation& exchange);
 
 private:

@@ -51,7 +51,7 @@ std::string hex(const std::string& text) {
     throw storage::BadFile(fmt::format("{}: {}", diagnostics::shown(path), why));
 }
 
-/// A text in one line, truncated if it is long.
+/// Returns a text in one line, truncated if it is long.
 std::string one_line(std::string text) {
     constexpr std::size_t longest = 2000;
     if (text.size() > longest) text.resize(longest);
@@ -60,14 +60,14 @@ std::string one_line(std::string text) {
     return text;
 }
 
-/// Whether it is the name of a search that is being removed, as given by remove_searches.
+/// Whether this is the name of a search that is being removed (see remove_searches).
 bool is_finished(const std::string& name) {
     constexpr std::string_view prefix = "finished-search-";
     return name.size() == prefix.size() + search_digits && name.starts_with(prefix) &&
            name.find_first_not_of("0123456789abcdef", prefix.size()) == std::string::npos;
 }
 
-/// A different text each time.
+/// Returns a different text each time.
 std::string unforeseeable() {
     std::random_device source;
     std::string text;
@@ -75,7 +75,7 @@ std::string unforeseeable() {
     return text;
 }
 
-/// Whether it was left by a run that was killed while it wrote.
+/// Whether the entry was left by a run that was killed while it wrote.
 bool is_unfinished(const fs::directory_entry& entry) {
     std::error_code ignored;
     return diagnostics::is_unfinished(entry.path().filename().string()) &&
@@ -129,7 +129,7 @@ void KeptSearch::look_at_folder() const {
     if (code) refuse(settings_.folder, code.message());
 }
 
-/// The lock is removed first: removing a file that another machine has open leaves another file in the folder.
+/// The lock is removed first. If another machine has a file open that is removed, another file appears in the folder.
 void KeptSearch::remove_folder() {
     std::error_code ignored;
     fs::remove_all(path("answers"), ignored);
@@ -139,7 +139,7 @@ void KeptSearch::remove_folder() {
     fs::remove(settings_.folder, ignored);  // if it is empty
 }
 
-/// Remaining files are needed to continue, unless no assertion was ever begun.
+/// Files are kept if they are needed to continue, unless no assertion was ever begun.
 KeptSearch::~KeptSearch() {
     if (!asked_.empty() || !earlier_.empty() || !answers_) return;
     remove_folder();
@@ -183,7 +183,7 @@ void KeptSearch::read_questions() {
 
 void KeptSearch::write_questions() const {
     std::string text = fmt::format("{}\n{}\n", title, hex(settings_.program));
-    // The assertions of this run, followed by those that it has not reached yet.
+    // The assertions of this run, followed by assertions that it has not reached yet.
     std::vector<Asked> all = asked_;
     if (earlier_.size() > all.size())
         all.insert(all.end(), earlier_.begin() + static_cast<std::ptrdiff_t>(all.size()), earlier_.end());
@@ -228,7 +228,7 @@ void KeptSearch::identify_question(const std::optional<diagnostics::Digest>& dig
                         diagnostics::shown(asked.text)));
 }
 
-/// The search of a decided assertion is its only record if its answer was not stored.
+/// If the answer of a decided assertion was not stored, its search is the only record of it.
 void KeptSearch::end_question(bool decided) {
     if (decided) ++decided_;
     const bool kept = question_ && answers_->find(*question_);
@@ -238,7 +238,7 @@ void KeptSearch::end_question(bool decided) {
     folders_.clear();
 }
 
-/// All are first renamed at once: a run that is killed must not leave a part of them.
+/// First renames all searches, because a run that is killed must not leave only some of them.
 void KeptSearch::remove_searches() {
     std::error_code ignored;
     for (const std::string& folder : folders_) {
@@ -258,7 +258,7 @@ void KeptSearch::remove_left_over() const {
     for (const fs::path& each : found) fs::remove_all(each, ignored);
 }
 
-/// Each search of an assertion has a folder with its number; the searches of an assertion are the same each time.
+/// Each search of an assertion has a folder with its number. An assertion has the same searches in every run.
 RowKeeping KeptSearch::rows_of(const LevelQuestion& question, std::size_t width, const Budget& budget) {
     diagnostics::Hasher hasher;
     hasher.add(std::string_view("a search by levels"));
@@ -279,7 +279,7 @@ RowKeeping KeptSearch::rows_of(const LevelQuestion& question, std::size_t width,
             fmt::format("cannot make the folder {}: {}", diagnostics::shown(rows.folder), std::strerror(errno)));
     folders_.push_back(rows.folder);
     const std::string run = rows.folder + "/" + run_name;
-    // Held until it is replaced, so that no rank of an earlier run begins in between.
+    // The lock is held until it is replaced, so that no rank of an earlier run begins in between.
     const diagnostics::Descriptor earlier = storage::open_to_lock(run, false);
     if (!earlier.open() && errno != ENOENT) storage::cannot_open(run, errno);
     if (earlier.open())
@@ -296,7 +296,7 @@ RowKeeping KeptSearch::rows_of(const LevelQuestion& question, std::size_t width,
                                   diagnostics::shown(rows.folder)));
     rows.every = settings_.every;
     rows.disk = settings_.disk;
-    // Only a part of the rest, since the program needs memory for other purposes.
+    // Uses only a part of the remaining memory, because the program needs memory for other purposes.
     const std::uint64_t resident = diagnostics::resident_bytes();
     const std::uint64_t most = budget.limits().memory_bytes;
     rows.most_bytes = settings_.most_bytes.value_or((most - std::min(most, resident)) / 8 * 7);

@@ -27,7 +27,8 @@ struct KeptSettings {
     bool resume = false;  ///< continue from the contents of the folder; otherwise the folder must be empty or not exist
     bool disk = false;    ///< rows that do not fit into memory are stored in files
     std::chrono::milliseconds every = std::chrono::minutes(10);  ///< time between checkpoints
-    /// Its identity, not empty: programs with the same identity compile processes to the same rows.
+    /// The identity of the program, which is not empty. Programs with the same identity compile processes to the same
+    /// rows.
     std::string program;
     /// Receives messages for the user, a sentence without its full stop; may be empty.
     std::function<void(const std::string&)> say;
@@ -37,22 +38,22 @@ struct KeptSettings {
     unsigned reads_a_step = RowKeeping{}.reads_a_step;
 };
 
-/// Manages the folder at the first rank. Another strategy executes the searches; all its ranks see the folder.
+/// Manages the folder at the first rank. Another strategy executes the searches. All its ranks see the folder.
 class KeptSearch final : public LevelStrategy {
 public:
-    /// `ranks` executes the searches, and must outlive the object. Throws storage::BadFile if the folder is not empty,
-    /// without `resume`; with `resume`, if it contains nothing from which this program can continue; and if the program
-    /// has no identity. Throws storage::CannotWrite.
+    /// `ranks` executes the searches and must outlive the object. Throws storage::BadFile if the folder is not empty
+    /// and `resume` is not set; if `resume` is set and this program cannot continue from its contents; or if the
+    /// program has no identity. Throws storage::CannotWrite.
     KeptSearch(KeptSettings settings, LevelStrategy& ranks);
     ~KeptSearch() override;
 
     /// Throws storage::BadFile if the folder was written for another assertion at this position.
     void begin_question(const std::string& text) override;
-    /// Throws storage::BadFile if it was written for this assertion about other processes.
+    /// Throws storage::BadFile if the folder was written for this assertion about other processes.
     void identify_question(const std::optional<diagnostics::Digest>& digest) override;
     /// The searches of a decided assertion are removed if its answer is in `answers`.
     void end_question(bool decided) override;
-    /// If all assertions are decided, removes everything that was stored.
+    /// If all assertions are decided, removes all stored data.
     void all_asked() override;
     [[nodiscard]] diagnostics::Cache* answers() override { return answers_ ? &*answers_ : nullptr; }
     std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question, Budget& budget,

@@ -14,7 +14,7 @@
 namespace robochart::refine {
 namespace {
 
-/// Adds up the statistics of a search, also if it ends by an exception.
+/// Adds up the statistics of a search, even if it ends by an exception.
 class LevelTally {
 public:
     LevelTally(const LevelSearch& search, unsigned ranks, Statistics& statistics)
@@ -52,7 +52,7 @@ namespace {
 
 using StoreFigures = DiskRowStore::Figures;
 
-/// `figures`: those of the store when it is destroyed.
+/// `figures` receives the statistics of the store when it is destroyed.
 std::optional<Violation> search_with_store(lts::TransitionSystem& system, const LevelQuestion& question,
                                            Exchange& exchange, Budget& budget, Statistics& statistics,
                                            StoreFigures& figures) {
@@ -72,8 +72,8 @@ std::optional<Violation> search_with_store(lts::TransitionSystem& system, const 
     return Violation{finding->kind, std::move(finding->run), std::move(finding->loop), {}};
 }
 
-/// Returns when no rank has files open any more: the folder may then be removed, or used by the next search. The
-/// figures are the maximum over all ranks.
+/// Returns when no rank has open files. The folder may then be removed or used by the next search. The statistics are
+/// the maximum over all ranks.
 void end_of_stores(Exchange& exchange, const StoreFigures& figures, Statistics& statistics) {
     const auto word = [](std::uint64_t figure) {
         return static_cast<lts::Word>(std::min<std::uint64_t>(figure, std::numeric_limits<lts::Word>::max()));
@@ -112,7 +112,7 @@ std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const Lev
     if (question.rows.folder.empty()) return search_with_store(system, question, exchange, budget, statistics, none);
     const auto& undisturbed = budget.limits().undisturbed;
     if (exchange.rank() != 0 || !undisturbed) return search_with_files(system, question, exchange, budget, statistics);
-    // Only the first rank knows how the run is ended.
+    // Only the first rank knows how a run is killed.
     UndisturbedExchange waiting(exchange, undisturbed, [&budget] { return budget.over(); });
     return search_with_files(system, question, waiting, budget, statistics);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches by levels (levels/level_search.hpp) instead of the ordinary search: with several ranks, or rows in files.
-// Limits::by_levels names the strategy. Its input is data, so that it can be sent to other programs.
+// Searches by levels (levels/level_search.hpp), which replace the ordinary search if there are several ranks or rows in
+// files. Limits::by_levels names the strategy. The query is data, so that it can be sent to other programs.
 #pragma once
 
 #include <limits>
@@ -34,41 +34,43 @@ struct LevelQuestion {
 
 [[nodiscard]] std::unique_ptr<Monitor> monitor_of(const LevelQuestion& question);
 
-/// One rank's part of a search; collective. Statistics are added also if a limit ends the search. If a rank cannot
-/// create its row store, all leave the search together (SharedWork). If rows are stored in files, it returns when no
-/// rank has one of them open any more, and the first rank has Limits::undisturbed while it waits.
+/// Runs the part of one rank in a search; collective. The statistics are added even if a limit ends the search. If a
+/// rank cannot create its row store, all ranks leave the search together (SharedWork). If rows are stored in files, the
+/// function returns when no rank has one of them open. The first rank holds Limits::undisturbed while it waits.
 std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question,
                                         Exchange& exchange, Budget& budget, Statistics& statistics);
 
-/// The number of threads of a program that can search the system, at most `wanted`: one if it supports only one thread.
+/// Returns the number of threads of a program that can search the system, at most `wanted`. It is one if the system
+/// supports only one thread.
 [[nodiscard]] unsigned threads_for(const lts::TransitionSystem& system, unsigned wanted);
 
-/// One program's part of a search, with this many threads as ranks, the first of which is the caller's (as_ranks);
-/// collective over `programs`. Each thread has its own rows. The budget and the statistics are the first thread's; the
-/// others have the same limits, without progress.
+/// Runs the part of one program in a search; collective over `programs`. The program's threads are ranks (as_ranks);
+/// the first is the caller's thread. Each thread has its own rows. The budget and the statistics are those of the first
+/// thread. The others have the same limits, without progress.
 std::optional<Violation> search_by_threads(Exchange& programs, unsigned threads, lts::TransitionSystem& system,
                                            const LevelQuestion& question, Budget& budget, Statistics& statistics);
 
-/// The strategy by which a check's searches use levels.
+/// The strategy of the searches by levels of a check.
 class LevelStrategy {
 public:
     LevelStrategy() = default;
     LevelStrategy(const LevelStrategy&) = delete;
     LevelStrategy& operator=(const LevelStrategy&) = delete;
     virtual ~LevelStrategy() = default;
-    /// Announces the next assertion, before anything is computed for it.
+    /// Announces the next assertion before anything is computed for it.
     virtual void begin_question(const std::string& /*text*/) {}
-    /// The following searches belong to the assertion begun. The digest covers everything on which its answer depends;
-    /// no value: it is unknown, or the states of its processes differ between runs.
+    /// Identifies the assertion to which the following searches belong. The digest covers everything on which its
+    /// answer depends. No value if the digest is unknown, or if the states of the processes differ between runs.
     virtual void identify_question(const std::optional<diagnostics::Digest>& /*digest*/) {}
-    /// `decided`: it has an answer.
+    /// `decided`: whether the assertion has an answer.
     virtual void end_question(bool /*decided*/) {}
-    /// Called if no assertion follows, and none was left out.
+    /// Called after the last assertion if none was left out.
     virtual void all_asked() {}
-    /// Where answers of earlier searches of this kind are stored, whose statistics differ from others; null: nowhere.
+    /// The cache for answers of searches of this kind, whose statistics differ from those of other searches. Null if
+    /// there is none.
     [[nodiscard]] virtual diagnostics::Cache* answers() { return nullptr; }
-    /// The result of the search in the system. Throws LimitReached, also, with the reason, if the system cannot be
-    /// searched in this way.
+    /// Returns the result of the search in the system. Throws LimitReached. If the system cannot be searched in this
+    /// way, LimitReached contains the reason.
     virtual std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question,
                                             Budget& budget, Statistics& statistics) = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The definitions of the models as faults of one run: UCS 10 (T), 11 (F), 12 (FD).
+// Defines the models by faults of single runs: UCS 10 (T), 11 (F), 12 (FD).
 #include "checker/refine/verdict/monitors.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace robochart::refine {
 using process::Event;
 using process::EventSet;
 
-/// T: every trace must be one of the specification's. FD: if the specification diverges, everything afterwards refines
+/// T: every trace must be a trace of the specification. FD: if the specification diverges, all later behaviour refines
 /// it.
 Monitor::Advance RefinementMonitor::advance(Node node, Event event) {
     const std::scoped_lock lock(*turn_);
@@ -35,7 +35,7 @@ std::optional<ViolationKind> RefinementMonitor::examine(Node node, const Offer& 
     return refusal(acceptances(node), offer);
 }
 
-/// References stay valid after creation.
+/// References stay valid after their creation.
 const std::vector<EventSet>& RefinementMonitor::acceptances(Node node) {
     if (node >= acceptances_.size()) acceptances_.resize(std::max<std::size_t>(node + 1U, 2 * acceptances_.size()));
     if (acceptances_[node] == nullptr) {

@@ -12,11 +12,11 @@
 
 namespace robochart::refine {
 
-/// In F and FD: the fault of a state with this offer if the specification has these acceptances. No value for an
-/// unstable state.
+/// In F and FD: returns the fault of a state with this offer if the specification has these acceptances. No value for
+/// an unstable state.
 [[nodiscard]] std::optional<ViolationKind> refusal(const std::vector<process::EventSet>& wanted, const Offer& offer);
 
-/// specification [M= implementation: nodes are those of the specification's normal form.
+/// specification [M= implementation. The nodes are those of the specification's normal form.
 class RefinementMonitor final : public Monitor {
 public:
     RefinementMonitor(NormalForm& specification, Model model)
@@ -42,7 +42,8 @@ private:
     std::vector<const std::vector<process::EventSet>*> acceptances_;
 };
 
-/// Observes only the reachable states: for deadlock (a state in which nothing is possible), and for divergence alone.
+/// Observes only the reachable states. Used for deadlock (a state in which nothing is possible), and for divergence
+/// alone.
 class StateMonitor final : public Monitor {
 public:
     explicit StateMonitor(bool forbid_deadlock) : forbid_deadlock_(forbid_deadlock) {}
@@ -65,8 +66,8 @@ public:
     [[nodiscard]] std::unique_ptr<Monitor> another() override { return std::make_unique<ChoiceMonitor>(); }
 };
 
-/// Follows runs along one trace; finds the end of its first `goal` events. With `refused`, an end that can refuse that
-/// event.
+/// Follows runs along one trace and finds the end of its first `goal` events. With `refused`, finds an end that can
+/// refuse that event.
 class TraceMonitor final : public Monitor {
 public:
     TraceMonitor(const std::vector<process::Event>& trace, std::size_t goal,

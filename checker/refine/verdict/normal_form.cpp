@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normalisation on demand. Everything is numbered in the order of requests by the search, so results are the same every
+// Normalises on demand. Everything is numbered in the order of requests by the search, so results are the same every
 // time.
 #include "checker/refine/verdict/normal_form.hpp"
 
@@ -120,7 +120,7 @@ NormalForm::Node NormalForm::initial() {
 NormalForm::Node NormalForm::node_of(Members seeds) {
     close(seeds);
     if (const auto known = ids_.find(seeds); known != ids_.end()) return known->second;
-    // Rejected before it is entered, because another thread would take the number for a node's.
+    // Throws before the node is entered, because another thread would take its number for a node.
     budget_.states(nodes_.size());
     if (!may_grow_ && nodes_.size() > std::max(few_nodes, 2 * graph_.size()))
         throw SpecificationGrows("the specification's normal form is larger than the specification");
@@ -130,7 +130,7 @@ NormalForm::Node NormalForm::node_of(Members seeds) {
     return node;
 }
 
-/// Adds the states that taus reach, and sorts.
+/// Adds the states that taus reach, and sorts the states.
 void NormalForm::close(Members& members) {
     ++closure_;
     const auto first_visit = [this](StateIndex state) {
@@ -208,7 +208,7 @@ bool NormalForm::diverges(Node node) {
     return *data.diverges;
 }
 
-/// Whether taus lead from the state into a tau cycle. One depth-first search over all calls: a finished state that has
+/// Whether taus lead from the state into a tau cycle. All calls share one depth-first search. A finished state that has
 /// not reached the current path or a divergent state reaches only such states, so its answer is final.
 bool NormalForm::state_diverges(StateIndex root) {
     enum : std::uint8_t { unvisited, on_path, finite, infinite };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The specification, normalised on demand: nodes are tau-closed sets of its states, one for the behaviour after each
-// trace (UCS 10.4.2, "normalisation").
+// The specification, normalised on demand. A node is a tau-closed set of states of the specification and represents its
+// behaviour after a trace (UCS 10.4.2, "normalisation").
 #pragma once
 
 #include <cstdint>
@@ -63,21 +63,21 @@ public:
     NormalForm(lts::TransitionSystem& specification, Budget& budget);
 
     Node initial();
-    /// The node after one more visible event or tick; no value if the specification cannot perform it.
+    /// Returns the node after one more visible event or tick. No value if the specification cannot perform it.
     std::optional<Node> after(Node node, process::Event event);
-    /// The events that the specification can perform here, ascending.
+    /// Returns the events that the specification can perform in this node, ascending.
     process::EventSet initials(Node node);
-    /// The minimal acceptances of the node's states, sorted by size, then by events. Every stable behaviour here
-    /// accepts at least one of them. Empty: no stable state.
+    /// Returns the minimal acceptances of the node's states, sorted by size, then by events. Every stable behaviour in
+    /// this node accepts at least one of them. Empty if the node has no stable state.
     const std::vector<process::EventSet>& acceptances(Node node);
-    /// Whether the specification can perform taus forever here.
+    /// Whether the specification can perform taus forever in this node.
     bool diverges(Node node);
     /// Whether all states of one node are states of the other.
     [[nodiscard]] bool includes(Node larger, Node smaller) const;
     /// The specification's states in a node.
     [[nodiscard]] std::vector<lts::StateView> states(Node node) const;
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
-    /// From now on, SpecificationGrows is thrown when there are far more nodes than states.
+    /// After this call, SpecificationGrows is thrown when there are far more nodes than states.
     void refuse_growth() { may_grow_ = false; }
 
 private:

@@ -26,11 +26,12 @@ struct NormalTable {
 /// The maximal number of nodes in a table, because each rank stores all of them.
 inline constexpr std::size_t most_table_nodes = 1'000'000;
 
-/// The parts of the whole normal form that refinement in the model uses. No value if it has more nodes than a table, or
-/// (see SpecificationGrows) too many to be useful. Throws the exceptions of the specification, and LimitReached.
+/// Returns the parts of the whole normal form that refinement in the model uses. No value if there are more nodes than
+/// a table can contain, or too many to be useful (see SpecificationGrows). Throws the exceptions of the specification,
+/// and LimitReached.
 [[nodiscard]] std::optional<NormalTable> table_of(NormalForm& normal, Model model);
 
-/// A monitor with the answers of RefinementMonitor, from a table.
+/// A monitor that gives the answers of RefinementMonitor from a table.
 class TableMonitor final : public Monitor {
 public:
     TableMonitor(std::shared_ptr<const NormalTable> table, Model model) : table_(std::move(table)), model_(model) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frame that all checks share: a budget, a clock, and limits reported as an inconclusive verdict.
+// The common frame of all checks: a budget, a clock, and limits that are reported as an inconclusive verdict.
 #pragma once
 
 #include <functional>
@@ -12,16 +12,16 @@
 
 namespace robochart::refine {
 
-/// Runs the check; a reached limit or a lack of memory gives inconclusive. Other exceptions are passed on. Long work
-/// inside the systems counts against the limits too.
+/// Runs the check. If a limit is reached or memory is exhausted, the verdict is inconclusive. Other exceptions are
+/// passed on. Long work inside the systems counts against the limits too.
 [[nodiscard]] Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits& limits,
                              const std::function<void(Budget&, Verdict&)>& question);
 
-/// The result of an earlier search if it is known; otherwise the result of this one, which is then stored.
+/// Returns the violation of an earlier search if it is known. Otherwise runs the search and stores its result.
 [[nodiscard]] std::optional<Violation> found(Earlier earlier, Verdict& verdict,
                                              const std::function<std::optional<Violation>()>& search);
 
-/// Adds up the statistics of a search, also if it ends by an exception.
+/// Adds up the statistics of a search, even if it ends by an exception.
 class Tally {
 public:
     Tally(const Search& search, Statistics& statistics, const NormalForm* specification = nullptr)
@@ -36,12 +36,12 @@ private:
     const NormalForm* specification_;
 };
 
-/// The shortest run of a trace's first events, which must exist.
+/// Returns the shortest run of the first events of a trace. It must exist.
 [[nodiscard]] Run run_of_prefix(lts::TransitionSystem& system, const std::vector<process::Event>& trace,
                                 std::size_t length, Budget& budget);
-/// The run to a finding, with the forbidden event as its last step if there is one.
+/// Returns the run to a finding. A forbidden event is its last step.
 [[nodiscard]] Violation violation_of(Search& search, lts::TransitionSystem& system, const Finding& finding);
-/// After a complete search that noted taus: the first divergence.
+/// Returns the first divergence. Call it after a complete search that noted taus.
 [[nodiscard]] std::optional<Violation> first_divergence(Search& search);
 
 }  // namespace robochart::refine

@@ -64,8 +64,8 @@ std::vector<bool> leading_to(const lts::Graph& graph, const process::EventSet& g
     return marked;
 }
 
-/// The states of a shortest run to this one, without the initial one. States are numbered in breadth-first order, so
-/// the first predecessor of a state is nearest.
+/// Returns the states of a shortest run to this state, without the initial state. States are numbered in breadth-first
+/// order, so the first predecessor of a state is nearest.
 std::vector<StateIndex> way_to(const lts::Graph& graph, StateIndex last) {
     std::vector<StateIndex> parent(graph.size());
     std::vector<bool> known(graph.size());

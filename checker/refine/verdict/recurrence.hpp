@@ -7,20 +7,20 @@
 
 namespace robochart::refine {
 
-/// Whether from every reachable state some run leads to a state in which an event of `goal` can happen (ascending,
-/// without tau). Fails with a run to a state from which no run does (ViolationKind::no_return), a nearest one among the
-/// states that were searched.
+/// Whether from every reachable state some run leads to a state in which an event of `goal` can happen (`goal` is
+/// ascending and does not contain tau). Fails with a run to a state from which no run does (ViolationKind::no_return).
+/// This state is a nearest one among the searched states.
 ///
-/// All states are explored; those in which an event of the goal is possible are marked, and then, backwards, those that
-/// lead to marked ones: linear in states and transitions. With reduction, states from which confluent taus lead on are
-/// left out, and replicas are folded if every exchange maps the goal to itself. Both preserve the answer: a state and
-/// its representative are branching bisimilar, or images of each other (docs/search.md), and so have runs to the same
-/// events, or to their images.
+/// The algorithm explores all states, marks those in which an event of the goal is possible, and then marks backwards
+/// those that lead to marked states. It is linear in states and transitions. With reduction, states from which
+/// confluent taus lead on are left out, and replicas are folded if every exchange maps the goal to itself. Both
+/// preserve the answer: a state and its representative are branching bisimilar, or images of each other
+/// (docs/search.md), so they have runs to the same events, or to their images.
 ///
-/// About fairness: in a finite system the answer "holds" is that of a Markov chain on the same states in which each
-/// transition has positive probability: there the events happen infinitely often with probability 1 iff they always can
-/// (Baier and Katoen, Principles of Model Checking, 2008, theorem 10.27). Without probabilities it only says what can
-/// happen.
+/// About fairness: consider a Markov chain on the same finite set of states in which each transition has positive
+/// probability. In this chain the events happen infinitely often with probability 1 if and only if they always can
+/// (Baier and Katoen, Principles of Model Checking, 2008, theorem 10.27). So "holds" answers this query as well.
+/// Without probabilities the answer only states what can happen.
 [[nodiscard]] Verdict recurrent(lts::TransitionSystem&, const process::EventSet& goal, const Limits&);
 
 }  // namespace robochart::refine

@@ -14,7 +14,7 @@
 namespace robochart::refine {
 namespace {
 
-/// The limits of the search for a shortest run, which leave time to report the known result.
+/// Returns limits for the search for a shortest run. They leave time to report the known result.
 Limits leaving_time(Limits limits) {
     const auto now = std::chrono::steady_clock::now();
     if (limits.deadline) *limits.deadline = now + (std::max(*limits.deadline, now) - now) / 2;
@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    /// The replicas that the assertion does not distinguish.
+    /// Finds the replicas that the assertion does not distinguish.
     void find_symmetry(const std::function<void()>& poll) {
         std::vector<lts::ReplicaSet> kept;
         for (lts::ReplicaSet set : system_.replicas(poll)) {

@@ -14,24 +14,24 @@ namespace robochart::refine {
 
 /// A query about a system.
 struct SearchQuestion {
-    /// Searches a violation in a system. `known`: the whole system is known to have this one, and a shortest one is
-    /// wanted.
+    /// Searches for a violation in a system. If `known` is given, the whole system has this violation, and the search
+    /// is for a shortest one.
     std::function<std::optional<Violation>(lts::TransitionSystem&, Budget&, Statistics&, const Violation* known)>
         search;
     /// Whether a state has the same answer as its images if automorphisms exchange these events. Called with exchanges
     /// of at least two events.
     std::function<bool(const lts::EventPermutation&)> indifferent;
-    /// Whether a shortest run is searched in the whole system after one has been found in its reduced form.
+    /// Whether to search for a shortest run in the whole system after a run has been found in its reduced form.
     bool shortest = true;
 };
 
-/// The result of the query's search in the system or, if limits allow it and there is one, in its reduced form;
-/// statistics are those of that search. In both cases the violation is one of the system, and a shortest one unless a
-/// limit ends the search for it.
+/// Returns the result of the search in the reduced form of the system, if limits allow it and there is one, or
+/// otherwise in the system itself. The statistics are those of that search. In both cases the violation is one of the
+/// system. It is a shortest one unless a limit ends the search for it.
 [[nodiscard]] std::optional<Violation> search_reduced(lts::TransitionSystem& system, Budget& budget,
                                                       Statistics& statistics, const SearchQuestion& question);
 
-/// The number of steps of a run for which events are followed (Search::first_violation).
+/// Returns the number of steps of a run for which events are followed (Search::first_violation).
 [[nodiscard]] std::uint64_t events_until(const Violation* known);
 
 }  // namespace robochart::refine

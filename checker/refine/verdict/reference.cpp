@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Breadth-first search for the run: first with exactly its actions and the hidden events of its taus; then with its
-// actions only, which suffices for strongly bisimilar components; then with its trace only, because compressed
-// components may perform other taus.
+// Searches for the run breadth first, in three stages. First it matches exactly the actions and the hidden events of
+// taus. Then it matches only the actions, which suffices for strongly bisimilar components. Finally it matches only the
+// trace, because compressed components may perform other taus.
 #include "checker/refine/verdict/reference.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 using process::Event;
 using State = std::vector<lts::Word>;
 
-/// The reference's share of time: reaching this limit does not affect the verdict.
+/// The time limit for the reference. Reaching it does not affect the verdict.
 constexpr std::chrono::seconds longest_replay{20};
 
 struct Moves {
@@ -45,8 +45,8 @@ class Paths {
 public:
     Paths(lts::TransitionSystem& system, Budget& budget) : system_(system), budget_(budget) {}
 
-    /// The shortest run from `from` along the actions to a state that `ends` accepts. With `free_taus`, the actions
-    /// contain no taus, and taus are allowed anywhere.
+    /// Returns the shortest run from `from` along the actions to a state that `ends` accepts. With `free_taus`, the
+    /// actions contain no taus, and taus are allowed anywhere.
     std::optional<Run> find(const State& from, const std::vector<Action>& actions, bool free_taus,
                             const std::function<bool(const State&, const Moves&)>& ends) {
         nodes_.clear();
@@ -95,7 +95,7 @@ std::vector<Action> actions_of(const Run& run) {
     return actions;
 }
 
-/// Without the hidden events taus are not distinguished: most of a state space matches a sequence of taus.
+/// Without their hidden events taus are not distinguished, and a sequence of taus would match most of a state space.
 std::vector<Action> revealed_actions_of(const Run& run) {
     std::vector<Action> actions;
     for (const RunStep& step : run.steps) actions.push_back({step.event, step.revealed});
@@ -141,7 +141,7 @@ std::optional<Lasso> rounds_of(lts::TransitionSystem& system, const State& state
     return std::nullopt;
 }
 
-/// Taus from the state back to itself: with the loop's hidden events if they are known, otherwise any.
+/// Returns taus from the state back to itself, with the loop's hidden events if they are known.
 std::optional<Lasso> tau_loop(lts::TransitionSystem& system, const State& state, const Run& like, Budget& budget) {
     if (!like.steps.empty())
         if (auto found = rounds_of(system, state, like, budget)) return found;

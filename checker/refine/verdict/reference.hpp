@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds violations of a compiled process again in the terms from which it was compiled: the two engines check each
-// other. A violation that the terms do not have is an internal error and throws std::logic_error.
+// Finds the violation of a compiled process again in the terms from which it was compiled, so that the two engines
+// check each other. If the terms do not have the violation, this is an internal error, and std::logic_error is thrown.
 #pragma once
 
 #include "checker/refine/verdict/replay.hpp"
@@ -15,13 +15,14 @@ struct Confirmed {
     bool by_terms = false;
 };
 
-/// Replays the violation in the system and, if it has one, in its reference; the returned violation is the reference's.
-/// `judge` is one of the confirm functions of replay.hpp; its argument is the system to which the states of the runs
-/// belong. If the reference needs more than its share of time, only the system's own replay is used.
+/// Replays the violation in the system and, if the system has a reference, in the reference. The returned violation is
+/// then that of the reference. `judge` is one of the confirm functions of replay.hpp; its argument is the system to
+/// which the states of the runs belong. If the reference needs more than its share of time, only the replay in the
+/// system is used.
 [[nodiscard]] Confirmed confirmed(lts::TransitionSystem& system, const Violation& violation, Budget& budget,
                                   const std::function<void(lts::TransitionSystem&, const Violation&, Budget&)>& judge);
 
-/// A run of the reference with the same trace that ends in a state of the same kind. Public for tests.
+/// Returns a run of the reference with the same trace that ends in a state of the same kind. Public for tests.
 [[nodiscard]] Violation found_again(lts::TransitionSystem& system, lts::TransitionSystem& reference,
                                     const Violation& violation, Budget& budget);
 

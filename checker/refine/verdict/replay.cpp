@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Definitions implemented naively: sets of whole states, closed under tau, event by event.
+// Implements the definitions naively: sets of whole states, closed under tau, event by event.
 #include "checker/refine/verdict/replay.hpp"
 
 #include <fmt/format.h>
@@ -104,8 +104,8 @@ public:
         return std::ranges::any_of(
             states_, [&](const State& state) { return conduct_of(system_, state, budget_).can_settle_for(accepted); });
     }
-    /// Removes states without a tau, then those all of whose taus lead to removed states, until no state remains or
-    /// every remaining one has a tau to a remaining one.
+    /// Removes states without a tau, and then states whose taus all lead to removed states. This ends when no state
+    /// remains, or when every remaining state has a tau to a remaining state.
     bool diverges() {
         std::map<State, std::size_t> taus_left;
         std::map<State, std::vector<State>> sources;
@@ -214,8 +214,8 @@ void confirm_missing_trace(lts::TransitionSystem& system, const std::vector<Even
     const std::vector<Event> prefix = run.trace();
     require(prefix.size() < trace.size() && std::equal(prefix.begin(), prefix.end(), trace.begin()),
             "the run is not a beginning of the trace");
-    // That no run continues cannot be shown by a single run: if there are too many runs, the search is trusted, as it
-    // is if a refinement holds.
+    // A single run cannot show that no run continues. If there are too many runs, the search is trusted, as it is if a
+    // refinement holds.
     constexpr std::size_t most_states = 20'000;
     try {
         Powerset states(system, budget, most_states);

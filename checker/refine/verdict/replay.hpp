@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counterexamples are reported only after a replay: the run is repeated step by step, and the violation is checked
-// against a plain powerset of the specification along its trace. Slow, close to the definitions, and independent of the
-// search, whose data are not used. A mismatch is an internal error and throws std::logic_error.
+// Counterexamples are reported only after a replay. The replay repeats the run step by step and checks the violation
+// against a plain powerset of the specification along its trace. It is slow, close to the definitions, and independent
+// of the search, whose data it does not use. A mismatch is an internal error and throws std::logic_error.
 #pragma once
 
 #include "checker/refine/search/budget.hpp"
@@ -13,11 +13,11 @@ namespace robochart::refine {
 
 void confirm_refinement_violation(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model,
                                   const Violation&, Budget&);
-/// Deadlock, divergence and nondeterminism of one system.
+/// Confirms deadlock, divergence or nondeterminism of one system.
 void confirm_property_violation(lts::TransitionSystem&, const Violation&, Budget&);
-/// The run performs the trace's first events, and the system cannot perform all of it.
+/// Confirms that the run performs the first events of the trace, and that the system cannot perform all of it.
 void confirm_missing_trace(lts::TransitionSystem&, const std::vector<process::Event>& trace, const Run& run, Budget&);
-/// The run performs exactly the trace.
+/// Confirms that the run performs exactly the trace.
 void confirm_trace(lts::TransitionSystem&, const std::vector<process::Event>& trace, const Run& run, Budget&);
 
 }  // namespace robochart::refine

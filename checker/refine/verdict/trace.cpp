@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `has trace`: searches along one trace. They use the reduced form if it is given, like the equivalent refinement: `not
-// P :[has trace [T]]: t` is a refinement of P by all traces except t.
+// Decides `has trace` by searches along one trace. They use the reduced form if it is given, like the equivalent
+// refinement: `not P :[has trace [T]]: t` is a refinement of P by all traces except t.
 #include <algorithm>
 #include <string>
 
@@ -16,15 +16,15 @@ namespace {
 
 using process::Event;
 
-/// Whether the symmetry maps runs along the trace to such runs.
+/// Whether the symmetry maps runs along the trace to runs along the trace.
 bool fixes(const lts::EventPermutation& exchange, const std::vector<Event>& trace) {
     return std::ranges::none_of(exchange, [&](const auto& moved) {
         return moved.first != moved.second && std::ranges::find(trace, moved.first) != trace.end();
     });
 }
 
-/// The result of `search` as a run of the system. The reduced form has the same traces, and the same refusals and
-/// divergences along them, so `search` may search for any of these.
+/// Returns the result of `search` as a run of the system. The reduced form has the same traces, and the same refusals
+/// and divergences along them, so `search` may search it for any of these.
 std::optional<Violation> search_along(
     lts::TransitionSystem& system, const std::vector<Event>& trace, Budget& budget, Statistics& statistics,
     bool shortest,

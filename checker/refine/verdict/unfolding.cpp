@@ -12,7 +12,7 @@ namespace {
 
 using State = std::vector<lts::Word>;
 
-/// A run of the system in parallel with one of its reduced form: at each moment the state of the system is the image,
+/// A run of the system in parallel with a run of its reduced form. At each moment the state of the system is the image,
 /// under the current automorphism, of a state that the reduced form visits or passes through.
 class Unfolding {
 public:
@@ -63,7 +63,7 @@ private:
         return reduction_.symmetry == nullptr ? event : reduction_.symmetry->orbit(event);
     }
 
-    /// The step of the system from the current state that the reduced form shows as this one.
+    /// Returns the step of the system from the current state that the reduced form shows as this step.
     [[nodiscard]] RunStep step_behind(const RunStep& shown) const {
         for (RunStep& step : steps_from(system_, shown_)) {
             if (step.event != shown.event || step.revealed != shown.revealed) continue;
@@ -73,7 +73,7 @@ private:
         throw std::logic_error("a step of the reduced system cannot be taken");
     }
 
-    /// The step of the system from the end of the run.
+    /// Returns the step of the system from the end of the run.
     [[nodiscard]] RunStep step_to(const State& target, lts::Event event) const {
         for (RunStep& step : steps_from(system_, run_.last()))
             if (step.state == target && orbit(step.event) == orbit(event)) return std::move(step);
@@ -92,7 +92,7 @@ private:
         for (const State& next : chased(shown_)) go_to(next, process::tau);
     }
 
-    /// The reduced form is in this state, of which the current state of the run is an image.
+    /// Sets the state of the reduced form. The current state of the run is an image of it.
     void arrive(State state) {
         shown_ = std::move(state);
         if (reduction_.symmetry != nullptr) permutation_ = reduction_.symmetry->between(shown_, run_.last());

@@ -16,7 +16,7 @@ struct Reduction {
     lts::Symmetry* symmetry = nullptr;
 };
 
-/// A violation that was found in the reduced form, as one of the system.
+/// Converts a violation that was found in the reduced form to a violation of the system.
 [[nodiscard]] Violation unfolded(lts::TransitionSystem& system, const Reduction& reduction, const Violation& shown);
 
 }  // namespace robochart::refine

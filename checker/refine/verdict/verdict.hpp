@@ -31,22 +31,23 @@ struct Counterexample {
     ViolationKind kind = ViolationKind::trace;
     std::vector<Step> steps;  ///< run of the implementation, including taus
     std::string initial;      ///< describe() of the initial state
-    /// Refusal, deadlock, nondeterminism: the least acceptance of the last state; only ✓ if it can terminate.
+    /// For refusal, deadlock and nondeterminism: the least acceptance of the last state. It contains only ✓ if the
+    /// state can terminate.
     std::vector<process::Event> offered;
-    /// Refusal: the specification's minimal acceptances, empty if it has no stable state; trace: one set, the events
-    /// that it allowed.
+    /// For a refusal: the minimal acceptances of the specification, empty if it has no stable state. For a forbidden
+    /// event: one set, the events that the specification allowed.
     std::vector<process::EventSet> required;
     std::vector<Step> loop;               ///< divergence: the tau loop
     std::optional<process::Event> event;  ///< nondeterminism: the event; trace: the forbidden one
-    /// Nondeterminism: another run with the same events, followed by the event that this one refuses. Empty if a limit
-    /// ended the search for it.
+    /// For nondeterminism: another run with the same events, followed by the event that this run refuses. Empty if a
+    /// limit ended the search for it.
     std::vector<Step> accepting;
     std::string accepting_initial;  ///< describe() of its initial state
-    /// The states after the steps, preceded by the initial one; then those of the loop, and of the accepting run. Empty
-    /// if states are not terms.
+    /// The states after the steps, preceded by the initial state, and the states of the loop and of the accepting run.
+    /// Empty if states are not terms.
     std::vector<process::TermId> terms, loop_terms, accepting_terms;
-    /// Whether the run was replayed by the operational semantics of terms; otherwise only by the compiled rules,
-    /// because there were too many terms, or none.
+    /// Whether the run was replayed by the operational semantics of terms. Otherwise it was replayed only by the
+    /// compiled rules, because there were too many terms or none.
     bool replayed_by_terms = false;
     /// Whether no run is shorter. False if a limit has ended the search for it (docs/search.md, "Confluent taus").
     bool shortest = true;
