@@ -37,7 +37,7 @@ struct Read {
     [[nodiscard]] std::string report() const { return diagnostics::render_text(sources, diagnostics); }
 };
 
-/// A model that is checked, and explored for values of its constants. Throws std::runtime_error with the findings.
+/// A model that has been checked and explored for values of its constants. Throws std::runtime_error with the findings.
 struct Explored {
     explicit Explored(const std::string& model, const Values& constants = {}, const ExploreOptions& options = {}) {
         const ModelFile file = read_model(read.sources, read.add(model), read.diagnostics);

@@ -29,7 +29,7 @@ bool has_one_meaning(const Case& asked) {
     return !used("chase(") || std::ranges::none_of(compressions, used);
 }
 
-/// How a script is decided. Processes that stay terms are packed from the start, or never.
+/// The way in which a script is decided. Processes that stay terms are packed from the start, or never.
 struct Way {
     const char* name;
     bool reduction;

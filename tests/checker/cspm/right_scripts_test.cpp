@@ -41,7 +41,7 @@ constexpr std::array right_scripts{
     RightScript{"models/ops.csp", "hhhhfhhhhhhhhff"},
     // The gate may close late, because only hidden steps are urgent.
     RightScript{"models/rail.csp", "ffhhhh"},
-    // High events are hidden and abstracted: the lock reveals them, copies do not. A process that hides all of them
+    // High events are hidden and abstracted. The lock reveals them; copies do not. A process that hides all of them
     // without the abstraction is never stable.
     RightScript{"models/sec.csp", "fhffhf"},
 };

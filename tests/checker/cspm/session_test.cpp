@@ -62,8 +62,8 @@ assert Small::Zero :[has trace [T]]: <Small::get.0>
                     "hfh");
 }
 
-// In a timed section with zero durations, tock is always possible next to a waiting event, and timed_priority lets no
-// time pass while a tau is possible (semantics 3.10).
+// In a timed section with zero durations, tock is always possible while an event waits, and timed_priority lets no time
+// pass while a tau is possible (semantics 3.10).
 std::vector<AssertionResult> results(const std::string& text, const refine::Limits& limits) {
     Reading reading(text);
     (void)check_types(reading.script, reading.diagnostics);
@@ -74,8 +74,8 @@ std::vector<AssertionResult> results(const std::string& text, const refine::Limi
     return all;
 }
 
-// Five components with three hidden steps each: 4^5 states, of which one remains if confluent taus are followed. The
-// reduced form has a trace if and only if the whole has it.
+// Five components with three hidden steps each have 4^5 states, of which one remains if confluent taus are followed.
+// The reduced form has a trace if and only if the whole system has it.
 TEST(SessionTest, ATraceIsLookedForInTheReducedForm) {
     const std::string text = R"(channel step : {0..4}.{0..2}
 channel done, other
@@ -105,7 +105,7 @@ assert System :[has trace [F]]: <done, done>
     EXPECT_EQ(shown.steps.size(), whole.at(1).verdict.counterexample.value().steps.size()) << "the shortest run";
 }
 
-// A reader's hidden step keeps the writer out, so no confluence proof for it succeeds. Each failed proof examines
+// A hidden step of a reader keeps the writer out, so no confluence proof for it succeeds. Each failed proof examines
 // thousands of states of the lock and the readers, so the search must stop trying.
 TEST(SessionTest, AReductionWhoseProofsFailIsGivenUp) {
     const std::string text = R"(R = {1..8}
@@ -126,7 +126,7 @@ assert (((||| r : R @ Reader(r)) ||| Writer) [| Locking |] Lock(0, false)) \ Loc
     EXPECT_EQ(verdict.statistics.chased, 0U);
 }
 
-// Each initial event leads to different components: decomposition would create several hundred components for a dozen
+// Each initial event leads to different components. Decomposition would create several hundred components for a dozen
 // states.
 TEST(SessionTest, AProcessOfFewStatesIsNotTakenApart) {
     Reading reading(R"(channel a, b, c : {0..3}
@@ -155,7 +155,8 @@ TEST(SessionTest, InstancesAreMadeWithinABudget) {
     EXPECT_THROW((void)check_types(script, findings), diagnostics::LimitReached);
 }
 
-/// P alone has a thousand states, of which the whole reaches five: the limit applies to the states of the check.
+/// P alone has a thousand states, of which the whole process reaches five. The limit applies to the states of the
+/// check.
 TEST(SessionTest, LargeComponentsWithinSmallChecksAreDecided) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;

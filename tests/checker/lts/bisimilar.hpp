@@ -13,7 +13,7 @@ struct TooLarge : std::length_error {
     TooLarge() : std::length_error("too many states to compare") {}
 };
 
-/// All of a system's transitions. Throws TooLarge.
+/// Returns all transitions of a system as a graph. Throws TooLarge.
 inline Graph graph_of(TransitionSystem& system, std::size_t most_states) {
     return explore(system,
                    [most_states](std::size_t states) {

@@ -56,8 +56,8 @@ TEST(Bisimulation, BranchingRemovesInertTausOnly) {
     // tau.a + b: the tau discards b
     const Graph choosing = graph_of({{{tau, 1}, {b, 2}}, {{a, 2}}, {}});
     EXPECT_EQ(minimise(choosing, branching).graph.size(), 3U);
-    // a + tau.(a + b) where the a's agree: the tau is inert for branching bisimulation, because everything is offered
-    // after it
+    // The process is a + tau.(a + b), where both a's lead to the same state. The tau is inert for branching
+    // bisimulation, because everything is offered after it.
     const Graph inert = graph_of({{{tau, 1}, {a, 2}}, {{a, 2}, {b, 2}}, {}});
     EXPECT_EQ(minimise(inert, branching).graph, graph_of({{{a, 1}, {b, 1}}, {}}));
 }
@@ -65,7 +65,7 @@ TEST(Bisimulation, BranchingRemovesInertTausOnly) {
 TEST(Bisimulation, BranchingKeepsDivergence) {
     const Graph diverging = graph_of({{{tau, 1}, {a, 2}}, {{tau, 0}}, {}});
     EXPECT_EQ(minimise(diverging, branching).graph, graph_of({{{tau, 0}, {a, 1}}, {}}));
-    // A state that diverges and a state that does not are different, although both can finally only do a.
+    // A state that diverges and a state that does not are different, although both can perform only a.
     const Graph mixed = graph_of({{{b, 1}, {b, 2}}, {{tau, 1}, {a, 3}}, {{a, 3}}, {}});
     EXPECT_EQ(minimise(mixed, branching).graph.size(), 4U);
 }

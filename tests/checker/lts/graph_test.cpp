@@ -32,7 +32,7 @@ protected:
 
 TEST_F(Graphs, ExploreBreadthFirst) {
     const Graph graph = graph_of(example());
-    // 0 the choice, 1 and 2 its sides, 3 SKIP, 4 STOP, 5 after tick
+    // State 0 is the choice, 1 and 2 are its sides, 3 is SKIP, 4 is STOP, and 5 is the state after tick.
     EXPECT_EQ(graph.size(), 6U);
     EXPECT_EQ(graph.edge_count(), 5U);
     ASSERT_EQ(graph.edges(0).size(), 2U);

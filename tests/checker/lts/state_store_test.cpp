@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The set of visited states compared with std::map, over widths and sizes that make it grow; and claims by several
-// threads.
+// Compares the set of visited states with std::map, for widths and sizes that make it grow. Also tests claims by
+// several threads.
 #include "checker/lts/state_store.hpp"
 
 #include <gtest/gtest.h>

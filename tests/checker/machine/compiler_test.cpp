@@ -42,7 +42,7 @@ protected:
         return graph.size();
     }
     TermId twice(const char* event) { return s.prefix(event, s.prefix(event, s.skip())); }
-    /// Two components that take two steps each, then terminate together: (3 * 3) states and the terminated state.
+    /// Two components take two steps each and then terminate together. They have 3 * 3 states and the terminated state.
     TermId pair() { return s.over(Op::parallel, {twice("a"), twice("b")}, {}); }
     static constexpr std::size_t states_of_pair = 10;
 
@@ -62,14 +62,15 @@ TEST_F(Compiled, ParallelHidingRenaming) {
 }
 
 TEST_F(Compiled, OperatorsThatOneOperandOutlives) {
-    // The pair terminates, then c: the initial state of c replaces the terminated state of the pair.
+    // The pair terminates, then c happens. The initial state of c replaces the terminated state of the pair.
     EXPECT_EQ(states(s.op(Op::sequential, {pair(), s.prefix("c", stop)})), states_of_pair + 1);
     // The first b leaves the pair, which is then in one of three states of a.
     EXPECT_EQ(states(s.over(Op::exception, {pair(), s.prefix("c", stop)}, {"b"})), 5U);
     // c may interrupt in every state except the terminated one.
     EXPECT_EQ(states(s.op(Op::interrupt, {pair(), s.prefix("c", stop)})), states_of_pair + 1);
-    // An event of the pair resolves the choice and the timeout. Only the initial state has the alternative, so only c's
-    // terminated state is added; after the timeout, its initial and terminated states are.
+    // An event of the pair resolves the choice and the timeout. Only the initial state has the alternative, so the
+    // choice adds only the terminated state of c. After the timeout there are also the initial and terminated states of
+    // c.
     EXPECT_EQ(states(s.op(Op::external_choice, {pair(), s.prefix("c", stop)})), states_of_pair + 1);
     EXPECT_EQ(states(s.op(Op::sliding, {pair(), s.prefix("c", stop)})), states_of_pair + 2);
     EXPECT_EQ(states(s.op(Op::internal_choice, {pair(), s.prefix("c", stop)})), states_of_pair + 3);
@@ -88,7 +89,7 @@ TEST_F(Compiled, RecursionThroughCompositions) {
     EXPECT_EQ(states(started), states_of_pair);
 }
 
-// Machines with modes: an event that keeps the mode or changes it leads back to a node through a choice that the event
+// Machines with modes. An event that keeps the mode or changes it leads back to a node through a choice that the event
 // has resolved. Each mode is one state, for any transitions between the modes.
 TEST_F(Compiled, ModesBeforeComponents) {
     const TermId off = s.name("Off");
@@ -97,7 +98,7 @@ TEST_F(Compiled, ModesBeforeComponents) {
     s.bind(off, choice({s.prefix("on", on), s.prefix("tick", off)}));
     s.bind(on, choice({s.prefix("start", pair()), s.prefix("tick", on), s.prefix("off", off)}));
     EXPECT_EQ(states(off), 2 + states_of_pair);
-    // The pair itself can lead back to a mode: by termination, by an exception, or from a timeout.
+    // The pair itself can lead back to a mode by termination, by an exception, or from a timeout.
     const TermId idle = s.name("Idle");
     s.bind(idle, choice({s.prefix("start", s.op(Op::sequential, {pair(), idle})), s.prefix("tick", idle)}));
     EXPECT_EQ(states(idle), states_of_pair) << "the pair's end is the beginning";
@@ -154,7 +155,7 @@ TEST_F(Compiled, LeavesOutWhatNoOtherComponentLetsHappen) {
 }
 
 TEST_F(Compiled, KeepsWhatAPriorityLooksAtEvenIfItCannotHappen) {
-    // Inside, b has priority over a; outside, b is blocked. So neither occurs, and only c remains.
+    // Inside, b has priority over a; outside, b is blocked. So neither of them occurs, and only c remains.
     const TermId inner = s.prioritise(s.op(Op::external_choice, {pair(), stop}), {{"b"}, {"a"}});
     EXPECT_EQ(states(s.over(Op::parallel, {inner, twice("c")}, {"b"})), 3U);
 }
@@ -219,8 +220,8 @@ TEST_F(Compiled, GoesOnAfterASinkHasThrown) {
 }
 
 TEST_F(Compiled, PrioritiesOfRegionsThatRulesAroundAskFor) {
-    // Two prioritised pairs inside: b before a in each. Outside they synchronise on a, and c has priority over all
-    // other events.
+    // There are two prioritised pairs, in each of which b has priority over a. Outside they synchronise on a, and c has
+    // priority over all other events.
     const TermId inner = s.prioritise(s.op(Op::external_choice, {pair(), s.prefix("c", stop)}), {{"b", "c"}, {"a"}});
     const TermId meeting = s.over(Op::parallel, {inner, inner}, {"a"});
     states(meeting);

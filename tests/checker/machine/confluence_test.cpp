@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The conditions for following a tau (docs/search.md, "Confluent taus"), one by one: for each condition, a process
+// Tests the conditions for following a tau (docs/search.md, "Confluent taus") one by one. Each condition has a process
 // whose answer would be wrong without it. The expected answers follow by reasoning about the few states of each
 // process.
 #include <gtest/gtest.h>
@@ -40,8 +40,9 @@ protected:
         for (const char* const name : {"a", "b", "c", "d", "h", "o", "x"}) s.event(name);
     }
 
-    /// `levels`: levels of priority in an inner region with the first `inside` components; none: there is no inner
-    /// region. A joint event of components inside and outside synchronises the region with the other components.
+    /// `levels`: the levels of priority in an inner region with the first `inside` components. Without levels there is
+    /// no inner region. A joint event of components inside and outside synchronises the region with the other
+    /// components.
     void make(const std::vector<Rows>& components, const std::vector<Joint>& joints,
               const std::vector<std::uint32_t>& levels = {}, std::size_t inside = 9) {
         inside = levels.empty() ? 0 : std::min(inside, components.size());
@@ -212,7 +213,7 @@ TEST_F(Conditions, ATauThatLetsAnEventPreventOthersIsNotFollowed) {
     EXPECT_EQ(states_and_kept(), Sizes(6, 5));  // after b, the tau is followed
 }
 
-// The conditions must also hold after b: there, x is possible as an alternative to the tau.
+// The conditions must also hold after b, where x is possible as an alternative to the tau.
 TEST_F(Conditions, TheyHaveToHoldAfterOtherEvents) {
     make({{{{a, 1}, {b, 2}}, {{b, 3}}, {{a, 3}, {x, 4}}, {{o, 3}}, {}}},
          {{a, {0}, {}}, {b, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}});
@@ -220,7 +221,7 @@ TEST_F(Conditions, TheyHaveToHoldAfterOtherEvents) {
     EXPECT_EQ(states_and_kept().first, states_and_kept().second);
 }
 
-// x needs a second component, which becomes ready for it by a step of its own.
+// Event x needs a second component, which becomes ready for it by a separate step.
 TEST_F(Conditions, WhatIsTrackedMovesOn) {
     make({{{{a, 1}, {x, 2}}, {{o, 1}}, {}}, {{{b, 1}}, {{x, 1}}}},
          {{a, {0}, {}}, {x, {0, 1}, {}}, {b, {1}, {}}, {o, {0}, {}}});
@@ -261,7 +262,7 @@ TEST_F(Conditions, ATauIsFollowedWhereWhatDisturbsItWaitsForOthersThatWait) {
     EXPECT_EQ(states_and_kept(), Sizes(4, 3));
 }
 
-// A cycle of followed taus next to x: x is possible, and the process diverges.
+// A cycle of followed taus in parallel with x. The event x is possible, and the process diverges.
 TEST_F(Conditions, ACycleOfFollowedTausLosesNothing) {
     make({{{{a, 1}}, {{a, 0}}}, {{{x, 1}}, {}}}, {{a, {0}, {}}, {x, {1}, {}}});
     EXPECT_TRUE(can_do_x());

@@ -31,7 +31,7 @@ std::string words(const std::vector<refine::Step>& steps) {
     return text;
 }
 
-/// Everything that must be the same for every number of ranks.
+/// Returns everything that must be the same for every number of ranks.
 std::string everything(const Verdict& verdict) {
     const refine::Statistics& size = verdict.statistics;
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
@@ -42,7 +42,8 @@ std::string everything(const Verdict& verdict) {
            words(verdict.counterexample->steps) + " then" + words(verdict.counterexample->loop);
 }
 
-/// Everything that must be the same as in the ordinary search; figures only if the whole space is visited.
+/// Returns everything that must be the same as in the ordinary search. This includes figures only if the whole space is
+/// visited.
 std::string in_common(const Verdict& verdict) {
     const refine::Statistics& size = verdict.statistics;
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
@@ -125,8 +126,8 @@ protected:
     Compiler compiler{semantics};
 };
 
-/// Eight cells of four states: 4^8 states with eight transitions each, 8 * 3 levels after the first, and several rounds
-/// per level.
+/// Eight cells of four states have 4^8 states with eight transitions each, and 8 * 3 levels after the first. Each level
+/// needs several rounds.
 TEST_F(LevelFamilies, CountsAllStatesOfIndependentCells) {
     const auto system = cells(8);
     for (const unsigned ranks : {1U, 2U, 3U}) {

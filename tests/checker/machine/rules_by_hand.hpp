@@ -9,19 +9,19 @@
 
 namespace robochart::machine {
 
-/// A rule of a region, before it has an index there: the events of the participants and the event of the region.
+/// A rule of a region before it has an index there: the events of the participants and the event of the region.
 struct DraftRule {
     Event event;
     std::vector<Requirement> parts;  ///< the first one leads; events are indexes into the participants' alphabets
     std::vector<Assignment> assignments;
 };
 
-/// A region with these rules. `alphabets`: one for each participant. `levels`: the priority level of each event, or
-/// `no_level`; events beyond the end have no level.
+/// Returns a region with these rules. `alphabets`: one for each participant. `levels`: the priority level of each
+/// event, or `no_level`; events beyond the end have no level.
 [[nodiscard]] Region region_of(std::vector<Participant> participants, std::vector<EventSet> alphabets,
                                std::vector<DraftRule> drafts, const std::vector<std::uint32_t>& levels);
 
-/// A component with these transitions: for each state, events and targets.
+/// Returns a component with these transitions: events and targets for each state.
 [[nodiscard]] ComponentPtr component_of(const std::vector<std::vector<std::pair<Event, Local>>>& rows, TermId meaning);
 
 }  // namespace robochart::machine

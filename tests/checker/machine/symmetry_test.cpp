@@ -64,7 +64,7 @@ protected:
 
 using Sets = std::vector<std::size_t>;
 
-/// n robots with k states each that share only tock: the states are multisets of n out of k, (n+k-1 over n).
+/// n robots with k states each share only tock. Their states are multisets of n out of k, so there are (n+k-1 over n).
 TEST_F(SymmetryTest, StatesAreMultisets) {
     const auto system = compiled(swarm(6, 3));
     EXPECT_EQ(refine::deadlock_free(*system, refine::Model::failures, limits_of(false)).statistics.states, 4096U);
@@ -83,7 +83,7 @@ TEST_F(SymmetryTest, TwelveRobotsOfEightStates) {
     EXPECT_EQ(verdict.statistics.states, 50'388U) << "(12 + 7 over 7), of 8^12";
 }
 
-/// Robots of two components each are permuted as wholes; equal components inside a robot are ignored.
+/// Robots of two components are permuted as wholes. Equal components inside a robot are ignored.
 TEST_F(SymmetryTest, ReplicasMayHaveSeveralComponents) {
     std::vector<TermId> pairs;
     for (int i = 1; i <= 3; ++i)
@@ -103,7 +103,8 @@ TEST_F(SymmetryTest, WhatDiffersIsNoReplica) {
     EXPECT_EQ(sets(s.over(Op::parallel, watched, {event(1, 1)})), Sets{2}) << "one that another one watches";
 }
 
-/// Found by random tests: the packed state of a component that always runs cannot represent that another one is off.
+/// Random tests found this case: the packed state of a component that always runs cannot represent that another
+/// component is off.
 TEST_F(SymmetryTest, WhatMayBeOffIsNoReplicaOfWhatAlwaysRuns) {
     const TermId never = s.over(Op::parallel, {s.stop(), s.stop()}, {});
     const TermId first = s.op(Op::exception, {never, s.skip()}, static_cast<std::uint32_t>(s.set({})));
@@ -150,7 +151,7 @@ TEST_F(SymmetryTest, TheSpecificationMayDistinguishThem) {
     }
 }
 
-/// After an event of any robot, the specification forbids a second event of the same robot: the second event shows
+/// After an event of any robot, the specification forbids a second event of the same robot. So the second event shows
 /// which robot it is.
 TEST_F(SymmetryTest, RunsHaveEveryReplicaInItsPlace) {
     const auto system = compiled(swarm(4, 2));
@@ -170,7 +171,7 @@ TEST_F(SymmetryTest, RunsHaveEveryReplicaInItsPlace) {
     EXPECT_EQ(number(reduced.counterexample->steps[0]), number(reduced.counterexample->steps[1]));
 }
 
-/// A loop of taus in which the replicas take turns: it closes when each replica is in its own place again.
+/// In this loop of taus the replicas take turns. The loop closes when each replica is in its original place again.
 TEST_F(SymmetryTest, LoopsAreClosed) {
     const auto system = compiled(hidden_swarm(3, 2));
     const auto endless =
@@ -203,7 +204,7 @@ protected:
     static Process exchanged(const Process& process) { return tree(Kind::rename, {process}, {}, {{0, 1}, {1, 0}}); }
     static Process beside(std::vector<Process> operands) { return tree(Kind::parallel, std::move(operands), {2}); }
 
-    /// A composition of copies of a random process in which parts can be permuted.
+    /// Composes copies of a random process so that parts can be permuted.
     static Process replicated(const Process& process, int way) {
         switch (way % 4) {
             case 0:

@@ -14,7 +14,7 @@ protected:
     Scripted s;
     OperationalSemantics semantics{s.store};
 
-    /// The run with these actions; takes the first matching transition at each.
+    /// Returns the run with these actions. Takes the first matching transition in each step.
     Behaviour run(TermId initial, const std::vector<Event>& actions) {
         std::vector<Transition> steps;
         TermId now = initial;
@@ -41,7 +41,8 @@ protected:
     }
 };
 
-// (a -> b -> STOP) [| {b} |] (c -> b -> d -> STOP): both perform b; a and c belong to one of them.
+// (a -> b -> STOP) [| {b} |] (c -> b -> d -> STOP): both operands perform b. The events a and c belong to one operand
+// each.
 TEST_F(Apart, ParallelOperandsHaveTheirOwnTraces) {
     const TermId left = s.prefix("a", s.prefix("b", s.stop()));
     const TermId right = s.prefix("c", s.prefix("b", s.prefix("d", s.stop())));

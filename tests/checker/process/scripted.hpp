@@ -10,7 +10,7 @@
 
 namespace robochart::process {
 
-/// Builds terms by operator names; recursion through named processes.
+/// Builds terms by operator names. Recursion uses named processes.
 class Scripted final : public Definitions {
 public:
     Scripted() { store.define(*this); }

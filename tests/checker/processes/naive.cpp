@@ -166,7 +166,7 @@ std::optional<std::size_t> shortest_violation(const Behaviour& specification, co
             }
         }
         if (forbidden) {
-            // A refusal of the same length is not shorter: the number of steps is the same.
+            // A refusal found with the same length is not shorter, because the number of steps is the same.
             return steps + 1;
         }
         level.swap(next);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A second checker that follows the definitions: firing rules on trees, an explicit graph, subset construction by
-// traces, and enumeration of refusal sets. It shares no code with the engine. For small processes over few letters.
+// traces, and enumeration of refusal sets. It shares no code with the engine. It is for small processes over few
+// letters.
 #pragma once
 
 #include <map>
@@ -33,7 +34,8 @@ public:
     using States = std::set<int>;
     [[nodiscard]] States initially() const { return closed({0}); }
     [[nodiscard]] States after(const States& states, Letter letter) const;
-    /// Whether some of the states can refuse every letter of the set, given as bits: bit 0 tick, bit 1+l the letter l.
+    /// Whether some of the states can refuse every letter of the set. The set is given as bits: bit 0 is tick, bit 1+l
+    /// is the letter l.
     [[nodiscard]] bool refuses(const States& states, unsigned set) const;
     [[nodiscard]] bool diverges(const States& states) const;
     [[nodiscard]] unsigned refusal_sets() const { return 1U << (letters_ + 1); }

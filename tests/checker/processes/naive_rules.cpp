@@ -166,7 +166,7 @@ private:
         }
         return result;
     }
-    /// All ways in which all the given operands perform the letter.
+    /// Returns all ways in which the given operands perform the letter together.
     Moves together(const Process& p, const std::vector<std::size_t>& operands, Letter letter) const {
         std::vector<Process> partial{p};
         for (std::size_t i : operands) {
@@ -222,7 +222,7 @@ private:
         }
         return result;
     }
-    /// A linked event of one side occurs only together with its partner of the other side, and is hidden; other events
+    /// A linked event of one side occurs only together with its partner of the other side, and is hidden. Other events
     /// are independent.
     Moves linked(const Process& p) const {
         const Moves left = moves(p->operands[0]);

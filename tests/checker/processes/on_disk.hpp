@@ -9,7 +9,7 @@
 namespace robochart::refine {
 
 /// Stores rows on disk in a fresh folder, with 2 KiB of memory, filters of four bits and few settlings. So rows of open
-/// levels are written, filters overflow, and many searches roll back.
+/// levels are written to files, filters overflow, and many searches roll back.
 class OnDisk final : public LevelStrategy {
 public:
     explicit OnDisk(unsigned ranks) : ranks_(ranks) {}

@@ -83,7 +83,7 @@ void smaller_operands(const Process& process, std::vector<Process>& out) {
             out.push_back(changed(process, [&](Tree& tree) { tree.operands[i] = next; }));
 }
 
-/// Whether every recursion is guarded by an event: shrinking must not produce unguarded recursion, which has no
+/// Whether every recursion is guarded by an event. Shrinking must not produce unguarded recursion, which has no
 /// meaning.
 bool guarded(const Process& process) {
     if (process->kind == Kind::call) return false;

@@ -22,12 +22,12 @@ private:
     unsigned take(unsigned below);
     Letter letter() { return static_cast<Letter>(take(letters_used)); }
     std::set<Letter> set();
-    /// A process in which calls only occur in tail position, so that recursion stays finite-state; `guarded`: after an
-    /// event.
+    /// A process in which calls occur only in tail position, so that recursion stays finite-state. `guarded`: calls
+    /// occur only after an event.
     Process sequential(int depth, bool guarded);
     Process sequential_leaf(bool guarded);
     Process prefix(int depth);
-    /// A process without calls, and one mode of a machine with several modes that lead to parallel components.
+    /// A process without calls. It is one mode of a machine with several modes that lead to parallel components.
     Process modes(int depth);
     Process closed(int depth);
     Process static_leaf();

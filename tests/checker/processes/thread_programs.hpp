@@ -9,10 +9,10 @@
 
 namespace robochart::refine {
 
-/// Calls `work` as rank in this many programs with this many threads each.
+/// Calls `work` as a rank in this many programs with this many threads each.
 void as_programs(unsigned programs, unsigned threads, const std::function<void(Exchange&)>& work);
 
-/// Rows are in memory. A system that supports only one thread is searched by one.
+/// Rows are in memory. A system that supports only one thread is searched by one thread.
 class ThreadPrograms final : public LevelStrategy {
 public:
     ThreadPrograms(unsigned programs, unsigned threads) : programs_(programs), threads_(threads) {}

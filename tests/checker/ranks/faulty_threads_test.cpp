@@ -30,8 +30,8 @@ lts::Graph tree(std::optional<process::Event> back) {
     return graph;
 }
 
-/// The result of a search by two programs with two threads, in which one thread's exchange fails at the given call:
-/// whether the call was reached, and how many threads ended with an answer.
+/// The result of a search by two programs with two threads, in which the exchange of one thread fails at the given
+/// call. It states whether the call was reached, and how many threads ended with an answer.
 struct Ended {
     std::optional<Violation> found;
     bool failed = false, threw = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches by ranks in separate programs whose rows are stored in a folder: they are stopped and resumed by other
-// numbers of ranks, and by threads of one program. Also ranks that cannot write, or that see another folder.
+// Searches by ranks in separate programs whose rows are stored in a folder. They are stopped and resumed by other
+// numbers of ranks, and by threads of one program. Some ranks cannot write, or see another folder.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -159,7 +159,7 @@ TEST_F(KeptRanks, GoOnFromWhatOtherNumbersOfRanksHaveKept) {
     EXPECT_EQ(said_.find("begins anew"), std::string::npos) << said_;
 }
 
-// A folder exists where one of the ranks wants to write its part of the next checkpoint.
+// A folder exists at the path where one of the ranks wants to write its part of the next checkpoint.
 TEST_F(KeptRanks, LeaveTheSearchTogetherWhereOneCannotWrite) {
     const Answers expected = in_memory();
     (void)by_ranks(2, false, 500);
@@ -220,7 +220,7 @@ TEST_F(KeptRanks, AreRefusedWhereOneSeesAnotherFolder) {
     EXPECT_EQ(by_ranks(2, false), expected);
 }
 
-// A rank runs out of memory during an exchange and saves its part alone; the others write no more.
+// A rank runs out of memory during an exchange and saves its part alone. The others write nothing more.
 TEST_F(KeptRanks, GoOnWhereOneHasFailedAlone) {
     const Answers expected = in_memory();
     for (const unsigned failing : {0U, 1U}) {
@@ -258,7 +258,7 @@ TEST_F(KeptRanks, AreRefusedWhileRanksOfAnEarlierRunUseTheFolder) {
     EXPECT_EQ(by_ranks(2, false), expected);
 }
 
-// One rank fails alone during the last checkpoint: the others wait for it, and it knows this.
+// One rank fails alone during the last checkpoint. The others wait for it, and it knows this.
 TEST_F(KeptRanks, KnowWhoWaitsWhereOneFailsInTheLastCheckpoint) {
     const auto stop_at = [&](std::uint64_t call, std::uint64_t& left) {
         bool failed = false;
@@ -348,7 +348,7 @@ TEST_F(KeptRanks, HaveLetGoOfTheFolderWhereASearchHasEnded) {
         });
 }
 
-// A limit is reached while the first rank waits for another one. It must not be ended by force before the checkpoint is
+// A limit is reached while the first rank waits for another one. The rank must not be killed before the checkpoint is
 // complete.
 TEST_F(KeptRanks, AreNotDisturbedWhileTheyWaitBehindALimit) {
     std::atomic<bool> interrupted{false};

@@ -37,7 +37,8 @@ using refine::Verdict;
 
 using Ask = std::function<std::vector<std::string>(const refine::Limits&)>;
 
-/// The answers of `ask` in the first program while the other programs serve; each program has this many threads.
+/// Returns the answers of `ask` in the first program while the other programs serve. Each program has this many
+/// threads.
 std::vector<std::string> by_programs(unsigned programs, unsigned threads, bool reduction, const Ask& ask) {
     std::vector<std::string> answers;
     refine::as_ranks(programs, [&](refine::Exchange& exchange) {
@@ -103,7 +104,7 @@ protected:
     machine::Compiler compiler{semantics};
 };
 
-/// Multisets of six elements from four: 84 of 4096 states.
+/// There are 84 multisets of six elements from four, instead of 4096 states.
 TEST_F(Cells, AreFoldedAtEachRank) {
     const auto system = compiler.compile(cells(), {});
     const auto answers = by_programs(3, 2, true, [&](const refine::Limits& limits) {
@@ -144,8 +145,8 @@ TEST_F(Cells, EndAtLimitsOfTheFirstRank) {
     });
 }
 
-/// All programs end, whichever program fails at whichever call. The first program knows that the others wait for it,
-/// and starts no further search.
+/// All programs end, independently of the failing program and the failing call. The first program knows that the others
+/// wait for it, and starts no further search.
 TEST_F(Cells, EndTogetherWhateverProgramFails) {
     const auto system = compiler.compile(cells(2), {});
     for (const unsigned round : {0U, 1U, 2U, 3U})
@@ -256,7 +257,7 @@ TEST(Transfer, HasTheTimeThatIsLeft) {
     }
 }
 
-// Another build may have a different row format: no search starts, and all programs know it.
+// Another build may have a different row format. So no search starts, and all programs know the reason.
 TEST_F(Cells, AreNotSearchedByProgramsOfOtherBuilds) {
     const auto system = compiler.compile(cells(), {});
     for (const unsigned threads : {1U, 2U})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The checker compared with the naive reference on random processes over all operators, in every model, with every
+// Compares the checker with the naive reference on random processes over all operators, in every model, with every
 // engine. ROBOCHART_RANDOM_CHECKS and ROBOCHART_RANDOM_SEED select more and other cases (docs/testing.md).
 #include <gtest/gtest.h>
 
@@ -203,7 +203,7 @@ class Agreement : public testing::Test {
 protected:
     Limits limits_of(const Way& way);
     Verdict ask_by(Systems& systems, const Question& question, const Case& asked, const Way& way);
-    /// The difference between the answer in this way and the expected one, if any.
+    /// Returns the difference between the answer in this way and the expected one, if there is any.
     std::optional<std::string> fault(Systems& systems, const Question& question, const Case& asked,
                                      const Graphs& graphs, const Way& way);
     bool agrees(Systems& systems, const Question& question, const Case& asked, const Graphs& graphs, const Way& way);

@@ -108,8 +108,8 @@ private:
         return !process_.after(states, letter).empty() && process_.refuses(states, bit_of(letter));
     }
 
-    /// Whether a shortest run is promised, and this one is longer. (A run to a tau loop may be shorter than in the
-    /// naive graph, where one state of the process may correspond to two states, before and on the loop.)
+    /// Whether a shortest run is promised and this run is longer. (A run to a tau loop may be shorter than in the naive
+    /// graph, where one state of the process may correspond to two states, before and on the loop.)
     bool is_longer() const {
         const std::size_t steps = counterexample_.steps.size();
         if (refines() && question_.semantics != Semantics::FD)

@@ -12,9 +12,8 @@
 
 namespace robochart::refine {
 
-/// Describes what is wrong with a violation of the question; nullopt if it is correct. `letter` maps events, including
-/// tau and tick. `exactly`: the searched system has the same taus as the naive graph; otherwise only traces are
-/// compared.
+/// Describes an error in a violation of the question; nullopt if it is correct. `letter` maps events, including tau and
+/// tick. `exactly`: the searched system has the same taus as the naive graph. Otherwise only traces are compared.
 [[nodiscard]] std::optional<std::string> wrong_by_definition(
     const Counterexample& counterexample, const Question& question, const Graphs& graphs, bool exactly,
     const std::function<naive::Letter(process::Event)>& letter);

@@ -18,7 +18,8 @@ protected:
 };
 
 TEST_F(Classics, SymmetricPhilosophersDeadlock) {
-    // All philosophers think, sit down and pick up the left fork: three events each, and a deadlock needs all of them.
+    // All philosophers think, sit down and pick up the left fork. These are three events each, and a deadlock needs all
+    // of them.
     process::TermSystem table = system(dining_philosophers(s, 3, true));
     const Verdict verdict = deadlock_free(table, Model::failures, limits);
     ASSERT_EQ(verdict.outcome, Outcome::fails);
@@ -75,7 +76,7 @@ TEST_F(Classics, AShorterChainIsNotTheSameBuffer) {
     EXPECT_EQ(refines(three, chain, Model::traces, limits).outcome, Outcome::holds);
     const Verdict verdict = refines(three, chain, Model::failures, limits);
     ASSERT_EQ(verdict.outcome, Outcome::fails);
-    // Two items, the first of which has moved on by a tau, and no space for a third.
+    // The buffer contains two items, the first of which has moved on by a tau. There is no space for a third item.
     EXPECT_EQ(verdict.counterexample->kind, ViolationKind::refusal);
     EXPECT_EQ(verdict.counterexample->steps.size(), 3U);
     EXPECT_EQ(verdict.counterexample->offered.size(), 1U);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levels in files, and their checkpoints. Another process reads the contents of the newest complete checkpoint,
-// whenever the writer was ended. Damaged files are rejected.
+// Levels in files, and their checkpoints. Another process reads the contents of the newest complete checkpoint, even if
+// the writer was killed at any time. Damaged files are rejected.
 #include "checker/storage/level_files.hpp"
 
 #include <gmock/gmock.h>
@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// The rows of a level in these tests: some levels have several blocks, and some have no rows.
+/// Returns the rows of a level in these tests. Some levels have several blocks, and some have no rows.
 std::vector<Word> rows_of(std::uint32_t level, Word salt = 0) {
     const std::size_t counts[] = {1, 0, 17, RowFile::rows_of_block + 3, 400, 2 * RowFile::rows_of_block};
     std::vector<Word> rows;
@@ -114,7 +114,7 @@ TEST_F(Levels, AreReadAgainAfterACheckpoint) {
     EXPECT_EQ(files_there(), 3U) << "a checkpoint and the files of two runs";
 }
 
-// Of a level of four blocks, only the selected blocks are read. A block is selected by its first row and that of the
+// Only the selected blocks of a level of four blocks are read. A block is selected by its first row and that of the
 // next block.
 TEST_F(Levels, AreReadBlockByBlock) {
     LevelFiles files(where());
@@ -342,7 +342,7 @@ TEST_F(Levels, AreRefusedWhereACheckpointIsDamaged) {
         ASSERT_THAT(refused(damaged), HasSubstr(path)) << at;
         ASSERT_THAT(refused(whole.substr(0, at)), HasSubstr(path)) << at;
     }
-    // Also with a correct checksum.
+    // The text is also rejected with a correct checksum.
     const std::string text = whole.substr(0, whole.find("check "));
     std::mt19937 random(3);
     int tried = 0;

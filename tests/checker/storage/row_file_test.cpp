@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of rows: written rows are read back; damaged files are rejected with the file, the position and the cause.
+// Files of rows. Written rows are read back. Damaged files are rejected with the file, the position and the cause.
 #include "checker/storage/row_file.hpp"
 
 #include <gmock/gmock.h>
@@ -22,7 +22,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// Random rows of a width, ascending and without duplicates: close to each other or anywhere.
+/// Returns random rows of a width, ascending and without duplicates. They are close to each other or anywhere.
 std::vector<Word> random_rows(std::mt19937& random, std::size_t width, std::size_t count, bool near) {
     std::set<std::vector<Word>> rows;
     for (std::size_t tries = 0; rows.size() < count && tries < 10 * count; ++tries) {
@@ -97,7 +97,7 @@ protected:
         kind.search.fill(mark);
         return kind;
     }
-    /// Two levels, the second in three blocks.
+    /// Writes two levels, the second of which has three blocks.
     std::string written(const std::string& name) {
         RowFile file = RowFile::create(path(name), kind(2));
         file.append(3, std::vector<Word>{1, 2, 1, 3, 4, 0});
@@ -114,12 +114,12 @@ protected:
     static void put(const std::string& path, const std::string& bytes) {
         std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
     }
-    /// The distance to the next position to test: every byte of the header, the first level and the end, and samples in
-    /// between.
+    /// Returns the distance to the next position to test. Tested are every byte of the header, the first level and the
+    /// end, and samples in between.
     static std::size_t step(std::size_t at, const std::string& whole) {
         return at < 200 || at + 200 > whole.size() ? 1U : 499U;
     }
-    /// The message with which a file of these bytes is rejected; "" if it is accepted.
+    /// Returns the message with which a file of these bytes is rejected, or "" if it is accepted.
     std::string refused(const std::string& bytes) {
         put(path("given"), bytes);
         try {

@@ -75,7 +75,7 @@ std::string formula(Random& random, int size, int depth) {
     }
 }
 
-/// The states 0, 1, ..., size-1, and then again from `loop` on.
+/// A path through the states 0, 1, ..., size-1 that then repeats the states from `loop` on.
 class Lasso {
 public:
     Lasso(int size, int loop) : size_(size), loop_(loop) {}

@@ -78,7 +78,7 @@ TEST(PrismComposition, OperatorsOfTheGrammar) {
     EXPECT_EQ(together("system (M |[a]| N) ||| O endsystem"), ":M a:MN b:M c:N c:O");
     // Both sides must take part in b, and N never offers it.
     EXPECT_EQ(together("system (M |[a,b]| N) || O endsystem"), ":M a:MN c:NO");
-    // When hidden, M's a occurs alone and is invisible.
+    // If it is hidden, the a of M occurs alone and is invisible.
     EXPECT_EQ(together("system (M / {a}) || N || O endsystem"), ":M :M.a a:N b:M c:NO");
     EXPECT_EQ(together("system M {b<-c} || N || O endsystem"), ":M a:MN c:M.bNO");
 }

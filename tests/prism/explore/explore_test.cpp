@@ -21,7 +21,8 @@ std::string transitions(const Explored& model) {
 }
 
 TEST(PrismExplore, ADtmcTakesAllCombinationsWithEqualChance) {
-    // a with the first or the second command of R, or the unlabelled one: a third each.
+    // The combinations are a with the first command of R, a with the second one, and the unlabelled command. Each has
+    // probability one third.
     const Explored model(
         "dtmc module L x:[0..1]; [a] x=0 -> (x'=1); endmodule\n"
         "module R y:[0..3]; [a] y=0 -> (y'=1); [a] y=0 -> (y'=2); [] y=0 -> (y'=3); endmodule");
@@ -124,7 +125,7 @@ TEST(PrismExplore, ADeadlockGetsALoopWithoutReward) {
 }
 
 TEST(PrismExplore, TheMeanOfTransitionRewardsCountsCombinations) {
-    // Two a-combinations and one b: 2/3 * 3 + 1/3 * 9.
+    // There are two combinations for a and one for b: 2/3 * 3 + 1/3 * 9.
     Explored model(
         "dtmc module M x:[0..1]; [a] x=0 -> (x'=1); [a] x=0 -> (x'=1); [b] x=0 -> (x'=1); [] x=1 -> true; endmodule "
         "rewards [a] true : 1; [a] x=0 : 2; [b] true : 9; endrewards");

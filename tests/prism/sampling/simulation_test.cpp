@@ -175,7 +175,7 @@ TEST(PrismSimulation, ParametersOfMethods) {
     const Estimate given = ask("ci,samples=2000,width=0.02");
     EXPECT_EQ(given.samples, 2000U);
     EXPECT_EQ(*given.width, 0.02);
-    // The normal tail beyond 0.02 / sqrt(0.1389 / 2000) = 2.4 is 0.0082; twice that.
+    // The normal tail beyond 0.02 / sqrt(0.1389 / 2000) = 2.4 is 0.0082, and alpha is twice that.
     EXPECT_NEAR(given.alpha, 0.0164, 0.006);
     EXPECT_EQ(ask("apmc,width=0.05,confidence=0.01").samples, 1060U);  // ln(200) / 0.005
     EXPECT_NEAR(*ask("apmc,samples=1060").width, 0.05, 1e-4);
@@ -205,7 +205,7 @@ TEST(PrismSimulation, BoundsAreDecidedOrLeftOpen) {
     EXPECT_TRUE(ask("P>=0.1 [ F d=6 ]", "sprt,width=0.02").truth);
     EXPECT_FALSE(ask("P<0.1 [ F d=6 ]", "sprt,width=0.02").truth);
     EXPECT_TRUE(ask("P<=0.3 [ F d=6 ]", "sprt").truth);
-    // One path shows that the event is possible, or that it is not certain; no number of paths shows that it is
+    // One path shows that the event is possible, or that it is not certain. No number of paths shows that it is
     // impossible.
     EXPECT_TRUE(ask("P>0 [ F d=6 ]", "ci").truth);
     EXPECT_FALSE(ask("P<=0 [ F d=6 ]", "ci").truth);
@@ -216,7 +216,7 @@ TEST(PrismSimulation, BoundsAreDecidedOrLeftOpen) {
     EXPECT_EQ(ask("R{\"flips\"}>=11/3 [ F s=7 ]", "ci").kind, Kind::unknown);
 }
 
-/// A path without choices returns to a state: an event that has not occurred by then never does.
+/// If a path without choices returns to a state, an event that has not occurred by then never occurs.
 TEST(PrismSimulation, LoopsAreNoticed) {
     const std::string model =
         "dtmc module M x:[0..9]; [] x=0 -> 0.5:(x'=1) + 0.5:(x'=5); [] x=1 -> (x'=2); [] x=2 -> (x'=3);\n"
@@ -231,7 +231,7 @@ TEST(PrismSimulation, LoopsAreNoticed) {
     EXPECT_FALSE(ask("R<=100 [ F x=5 ]").truth);
 }
 
-/// Unknown is not "false": a path that is undecided at its limit is not a sample.
+/// A path that is undecided at its limit is not a sample, because unknown is not "false".
 TEST(PrismSimulation, AnOpenPathIsAnErrorAndNoAnswer) {
     const std::string walk =
         "dtmc module M x:[-1..9] init 0; [] x>=0 -> 0.5:(x'=min(9,x+1)) + 0.5:(x'=max(0,x-1)); endmodule\n"

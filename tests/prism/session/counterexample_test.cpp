@@ -45,7 +45,8 @@ constexpr const char* robot =
 
 TEST(PrismCounterexample, TheMostProbablePathsThatExceedTheBound) {
     Explored model(robot);
-    // 0.25 for 0 2 and for 0 1 2; a quarter of that, 0.0625 each, with one more stay in 0 before.
+    // The paths 0 2 and 0 1 2 have probability 0.25 each. With one more stay in 0 before, each has a quarter of that,
+    // 0.0625.
     const std::optional<Counterexample> found = why(model, "P<=0.55 [ F s=2 ]");
     ASSERT_TRUE(found);
     EXPECT_TRUE(found->holds);

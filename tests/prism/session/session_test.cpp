@@ -18,7 +18,7 @@ using testing::failure;
 using ::testing::HasSubstr;
 using Kind = Result::Kind;
 
-/// From 0 to 1 with probability one third, to 2 with two thirds; both are absorbing.
+/// State 0 goes to 1 with probability one third, and to 2 with two thirds. Both are absorbing.
 constexpr const char* fork =
     "dtmc module M s:[0..2]; [] s=0 -> 1/3:(s'=1) + 2/3:(s'=2); [] s>0 -> true; endmodule\n"
     "label \"one\" = s=1; rewards \"r\" true : 1; endrewards rewards \"e\" s=0 : 1; endrewards\n";

@@ -21,9 +21,9 @@ void expect_encloses(const Result& found, double value) {
     EXPECT_LE(bounds.high - bounds.low, 1e-6 * value);
 }
 
-/// Iteration that stops at small changes (Haddad and Monmege, Interval iteration algorithm for MDPs and IMDPs, 2018): n
-/// heads in a row before n tails in a row, where the coin starts again after each change. By symmetry the probability
-/// is 1/2.
+/// An iteration that stops at small changes (Haddad and Monmege, Interval iteration algorithm for MDPs and IMDPs,
+/// 2018). The event is n heads in a row before n tails in a row, where the coin starts again after each change. By
+/// symmetry the probability is 1/2.
 TEST(PrismTraps, SlowConvergenceIsNoConvergence) {
     constexpr int n = 18;
     const std::string model =
@@ -52,7 +52,7 @@ TEST(PrismTraps, SlowConvergenceIsNoConvergence) {
     EXPECT_EQ(Explored(model, constants).ask("P=? [ F s=n ]", {1e-6, true, nullptr}).low.text(), "0.5");
 }
 
-/// A loop without cost: iteration from 0 stays in it and answers 0. To leave it costs 7.
+/// In a loop without cost, an iteration from 0 stays in the loop and answers 0. Leaving it costs 7.
 TEST(PrismTraps, ALoopThatCostsNothingIsNoWayToTheGoal) {
     const std::string model =
         "mdp module M s:[0..2]; [a] s=0 -> (s'=1); [a] s=1 -> (s'=0); [b] s=0 -> (s'=2); [] s=2 -> true; endmodule\n"
@@ -62,7 +62,8 @@ TEST(PrismTraps, ALoopThatCostsNothingIsNoWayToTheGoal) {
     EXPECT_TRUE(std::isinf(Explored(model).ask("Rmax=? [ F s=2 ]").low.bounds().low));
 }
 
-/// An end component: iteration from 1 stays at 1, because the loop preserves this bound. The correct value is 0.3.
+/// In an end component, an iteration from 1 stays at 1, because the loop preserves this bound. The correct value is
+/// 0.3.
 TEST(PrismTraps, AnEndComponentKeepsNoBoundFromAbove) {
     const std::string model =
         "mdp module M s:[0..3]; [] s=0 -> (s'=1); [] s=1 -> 0.5:(s'=0) + 0.5:(s'=1);\n"

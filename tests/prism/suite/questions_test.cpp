@@ -70,7 +70,8 @@ TEST(PrismQuestions, UndefinedValuesAreErrorsOnlyWhereTheyAreUsed) {
     const fs::path all = folder("prism");
     ROBOCHART_NEEDS(!all.empty() && fs::exists(all), "../shared/suite/findings3");
     expect(all, {
-                    // A quarter each to 1 and 2, a half to 3. In the state x=3 both probabilities are 0.
+                    // State 0 goes to 1 and to 2 with a quarter each, and to 3 with a half. In the state x=3 both
+                    // probabilities are 0.
                     {"ratio.prism", "P=? [ F x=1 ] / P=? [ F (x=1 | x=2) ]", "0.5"},
                     {"ratio.prism", "P=? [ F x=1 ] / (1 - P=? [ F x=1 ])", "1/3"},
                     {"ratio.prism", "filter(max, P=? [ F x=1 ] / (1 - P=? [ F x=1 ]))", "Infinity"},
@@ -80,8 +81,8 @@ TEST(PrismQuestions, UndefinedValuesAreErrorsOnlyWhereTheyAreUsed) {
                     {"quot.prism", "P=? [ F x=0 ] / P=? [ F x=2 ]", "1"},
                     {"quot.prism", "1 / P=? [ F x=0 ]", "2"},
                     {"quot.prism", "log(P=? [ F x=0 ], 2)", "-1"},
-                    // From 0 to 1 after two steps on average, each with reward 2; 2 never reaches 1, and 3 may avoid
-                    // it.
+                    // The path from 0 to 1 takes two steps on average, each with reward 2. State 2 never reaches 1, and
+                    // state 3 may avoid it.
                     {"inf2.prism", "filter(min, R{\"a\"}=? [ F x=1 ] / R{\"b\"}=? [ F x=1 ], x=0)", "0.5"},
                     {"inf2.prism", "R{\"a\"}=? [ F x=1 ] / R{\"b\"}=? [ F x=1 ]", "Infinity/Infinity has no value"},
                     {"inf2.prism", "filter(range, R{\"a\"}=? [ F x=1 ])", "0..Infinity"},
@@ -175,15 +176,16 @@ TEST(PrismQuestions, WhatCameOutRightStaysRight) {
     EXPECT_EQ(file.properties.size(), 3U);
 }
 
-/// Six units of energy: with `slow` alone the robot arrives unless three of six steps fail; without energy away from
-/// home the run is over.
+/// The robot has six units of energy. With `slow` alone it arrives unless three of six steps fail. Without energy the
+/// run ends if the robot is away from home.
 TEST(PrismQuestions, ARobotWithABatteryIsDecided) {
     const fs::path all = folder("right/models");
     ROBOCHART_NEEDS(!all.empty() && fs::exists(all), "../shared/suite/findings3");
     expect(all, {
                     {"mdp.prism", "filter(count, true)", "25"},
                     {"mdp.prism", "filter(count, \"deadlock\")", "6"},
-                    // `fast` three times: the worst case is that two of three fail. 1 - 3 * 0.7 * 0.3^2 - 0.3^3.
+                    // With three times `fast`, the worst case is that two of three steps fail: 1 - 3 * 0.7 * 0.3^2 -
+                    // 0.3^3.
                     {"mdp.prism", "Pmin=? [ F \"goal\" ]", "0.784"},
                     // If `slow` fails too often, the battery is empty on the way, so no scheduler reaches the goal with
                     // probability 1.

@@ -143,7 +143,7 @@ void expect_counts(const Row& row, const StateSpace& space) {
         }
 }
 
-/// The fraction of the row; from EXACT.tsv if it is long.
+/// Returns the fraction of the row, from EXACT.tsv if it is long.
 std::string fraction(const Row& row, const std::vector<Row>& long_ones) {
     const std::string& text = row.at("exact");
     if (text.find("EXACT") == std::string::npos) return text;

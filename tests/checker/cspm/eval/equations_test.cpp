@@ -24,7 +24,8 @@ struct Equation {
     std::string body;
 };
 
-/// The sections between empty lines that contain an equals sign; the last section repeats the name of the process.
+/// Returns the sections between empty lines that contain an equals sign. The last section repeats the name of the
+/// process.
 std::vector<Equation> equations_in(const std::string& text) {
     std::vector<Equation> result;
     for (std::size_t from = 0; from < text.size();) {
@@ -41,7 +42,7 @@ bool in_a_name(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\'' || c == ':' || c == '(';
 }
 
-/// Replaces every name in the text; longer names first, because they may contain shorter ones.
+/// Replaces every name in the text. Longer names are replaced first, because they may contain shorter ones.
 std::string replaced(const std::string& text, const std::vector<std::pair<std::string, std::string>>& names) {
     std::string result;
     for (std::size_t at = 0; at < text.size();) {
@@ -126,7 +127,7 @@ bool equal(Session& session, const ExprPtr& a, const ExprPtr& b) {
     return lts::bisimilar(graph_of(*session.system(a)), graph_of(*session.system(b)));
 }
 
-/// How the process differs from the file; empty if it does not.
+/// Describes how the process differs from the file; empty if it does not.
 std::string difference(const std::filesystem::path& script, const std::string& asked,
                        const std::filesystem::path& expected) {
     const std::string equations = definitions(equations_in(contents(expected)), asked);

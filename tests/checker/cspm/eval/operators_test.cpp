@@ -140,7 +140,7 @@ TEST(OperatorsTest, ModelsWithoutASupportAreRefusedByName) {
     }
 }
 
-// Mistakes that users of FDR make: each error has a place, which process_failure checks.
+// Mistakes that users of FDR make. Each error has a place, which process_failure checks.
 TEST(OperatorsTest, FaultsOfProcessesHaveAPlace) {
     EXPECT_EQ(process_failure("channel c : Int\nX = c?x -> X\n"), "the set Int is infinite");
     EXPECT_EQ(process_failure("channel c : Int\nX = c$x -> X\n"), "the set Int is infinite");
@@ -176,7 +176,7 @@ TEST(OperatorsTest, InfiniteSequences) {
               "error: none of 200000 elements makes another one of the sequence");
 }
 
-// As in FDR (libcspm: in the renamer and in the desugarer).
+// The rules are those of FDR (libcspm: the renamer and the desugarer).
 TEST(OperatorsTest, WhereNondeterministicInputMayStand) {
     const std::string channels = "channel c : {0, 1}.{0, 1}\nchannel tock\n";
     EXPECT_EQ(process_failure(channels + "X = c?x$y -> STOP\n"), "a $ field stands before all ? and ! fields");

@@ -15,7 +15,7 @@ TEST(TextOfValues, ShowGivesAllOfIt) {
 
 TEST(TextOfValues, PrintGivesAllOfIt) {
     const std::string printed = value("<1000..1999>");
-    EXPECT_EQ(printed.size(), 6000U);  // 4 digits and ", " each; the last has < and > in place of it
+    EXPECT_EQ(printed.size(), 6000U);  // 4 digits and ", " each; < and > instead for the last
     EXPECT_EQ(printed.find("..."), std::string::npos);
 }
 

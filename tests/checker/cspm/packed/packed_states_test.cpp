@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packed states against the terms that they are the bytes of: the same graph, the same answers, the same faults,
-// whatever is forgotten in between.
+// Compares packed states with the terms whose bytes they are. Both must give the same graph, the same answers and the
+// same errors, even if the script is loaded again in between.
 #include <gtest/gtest.h>
 
 #include "checker/cspm/packed/not_packed.hpp"
@@ -178,7 +178,7 @@ TEST(PackedStatesTest, HaveTheGraphOfTheTerms) {
     }
 }
 
-// Nothing of a state is kept when the next one is asked for, so every number of a term, value, event or set is another.
+// The script is loaded again for each state, so terms, values, events and sets get different numbers each time.
 TEST(PackedStatesTest, DoNotDependOnWhatIsKept) {
     for (const Case& each : cases()) {
         SCOPED_TRACE(each.name);
@@ -197,7 +197,7 @@ TEST(PackedStatesTest, DoNotDependOnWhatIsKept) {
     }
 }
 
-/// What the assertions of a script are answered, with the faults that end them.
+/// Returns the answers to the assertions of a script, and the errors that end them.
 std::vector<std::string> answers(const std::string& text, const Packing& packing) {
     Reading reading(text);
     EXPECT_TRUE(reading.ok()) << reading.report();
@@ -266,7 +266,7 @@ assert P(0) :[has trace [T]]: <a.0, a.1, b.0, b.1>
                         18);
 }
 
-// An assertion has the scope of where it is written; in a timed section time passes while events wait.
+// An assertion has the scope of the place where it is written. In a timed section time passes while events wait.
 TEST(PackedStatesTest, ModulesTimedSectionsAndPriorities) {
     expect_same_answers(R"(channel a, b : {0..2}
 channel tock
@@ -315,7 +315,7 @@ assert P(0) [T= RUN({t})
                         7);
 }
 
-// The fault of the state after three steps is not met, since a state after two has a deadlock.
+// The error in the state after three steps does not occur, because a state after two steps has a deadlock.
 TEST(PackedStatesTest, NothingBehindTheFirstViolationIsEvaluated) {
     expect_same_answers(R"(channel a : {0..5}
 P(n) = a.n -> (if n == 1 then STOP else P(n + 1)) [] a.0 -> Q(n)
@@ -333,7 +333,7 @@ assert P(0) :[deadlock free]
                     .starts_with("fails"));
 }
 
-// What has no packed form is searched as terms: a compression, an infinite sequence, a set of processes.
+// A process without a packed form is searched as terms: a compression, an infinite sequence, a set of processes.
 TEST(PackedStatesTest, WhatHasNoBytesStaysATerm) {
     const std::string text = R"(transparent normal
 channel a : {0..3}

@@ -20,7 +20,7 @@ std::string codes(const std::string& text) {
     return result;
 }
 
-// `]:` ends a property like `]`, whatever follows.
+// `]:` ends a property like `]`, independently of the text after it.
 TEST(AsFdrReads, AColonBehindAnyProperty) {
     const Reading reading(
         "channel a\nP = a -> P\n"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ill-typed scripts, with the finding and its line, most of them next to a similar well-typed script; and large
-// malicious inputs.
+// Ill-typed scripts, each with its finding and the line. Most of them are next to a similar well-typed script. Also
+// large malicious inputs.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -227,7 +227,7 @@ TEST(TypeFindings, EnormousTypesAreRefused) {
     EXPECT_EQ(large.code(), "CSPM-T20");
 }
 
-// Sequences of sequences of ...: accepted until two such types must be compared level by level.
+// Sequences of sequences of sequences and so on are accepted until two such types must be compared level by level.
 TEST(TypeFindings, DeepTypesAreRefused) {
     std::string script = "x0 = 1\ny0 = 1\n";
     for (int i = 1; i <= 20'000; ++i) {

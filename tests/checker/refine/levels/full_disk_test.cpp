@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// On a full disk the search so far is saved as far as it fits, whichever write fails: rows, the other data of a
-// checkpoint, or the text of the checkpoint.
+// If the disk is full, the search so far is saved as far as it fits. This holds for each failing write: rows, the other
+// data of a checkpoint, or the text of the checkpoint.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ void fill(RowStore& store, unsigned rows) {
     }
 }
 
-/// The number of levels in the newest checkpoint, all of whose files must be readable; 0 if there is none.
+/// Returns the number of levels in the newest checkpoint, all of whose files must be readable; 0 if there is none.
 std::uint32_t levels_kept(const KeptWhere& where) {
     std::uint64_t newest = 0;
     for (const auto& each : fs::directory_iterator(where.folder)) {
@@ -56,7 +56,7 @@ std::uint32_t levels_kept(const KeptWhere& where) {
     return files.levels();
 }
 
-/// The percentage of written levels that the checkpoint contains; 99: all or nearly all.
+/// Returns the percentage of written levels that the checkpoint contains. 99 means all or nearly all.
 int kept_of_hundred(const KeptWhere& where, RowStore& store, unsigned rows) {
     try {
         fill(store, rows);

@@ -14,7 +14,8 @@ namespace {
 
 using lts::Word;
 
-/// Two ranks have these rows, and one rank resumes: returns the rows of level 0, or the reason for a rejection.
+/// Stores these rows at two ranks, and resumes with one rank. Returns the rows of level 0, or the reason for a
+/// rejection.
 std::string gone_on_from(const std::vector<Word>& first, const std::vector<Word>& second, std::vector<Word>& rows) {
     std::string error;
     const diagnostics::TemporaryFolder folder("", error);

@@ -33,7 +33,7 @@ namespace {
 using lts::Graph;
 using process::Event;
 
-/// Some graphs have many levels, some wide ones; edges lead forward, back and anywhere.
+/// Some graphs have many levels, and some have wide levels. Edges lead forward, back and anywhere.
 Graph random_graph(std::mt19937& random, std::size_t states, bool deadlocks, unsigned taus) {
     Graph graph;
     for (std::size_t state = 0; state < states; ++state) {
@@ -239,7 +239,7 @@ TEST_F(KeptRows, GoOnFromCheckpoints) {
     EXPECT_GT(stops, 50);
 }
 
-/// A few levels, each about ten times as wide as the previous one; their rows are reached several times.
+/// A graph with a few levels, each about ten times as wide as the previous one. Its rows are reached several times.
 Graph growing_graph(std::mt19937& random, std::size_t states, bool divergence) {
     Graph graph;
     for (std::size_t state = 0; state < states; ++state) {
@@ -260,9 +260,9 @@ struct Moment {
     int number = 0;        ///< the number of such moments of the first rank so far
 };
 
-// Only the first rank reaches the limit: when it closes a level, and during work with files, while it merges runs,
-// reads the files, fills the filter or rolls back. Other ranks have then closed one level more, or discarded some. The
-// levels that all ranks have are saved.
+// Only the first rank reaches the limit. This happens when it closes a level, or while it merges runs, reads the files,
+// fills the filter or rolls back. Other ranks have then closed one level more, or discarded some. The levels that all
+// ranks have are saved.
 TEST_F(KeptRows, GoOnFromLevelsThatAllRanksHaveClosed) {
     std::mt19937 random(9);
     int differed = 0;
@@ -324,8 +324,8 @@ TEST_F(KeptRows, GoOnFromLevelsThatAllRanksHaveClosed) {
     EXPECT_GT(differed, 5);
 }
 
-// The full disk may stop the closing of a level, the writing of rows or of a checkpoint, or a rollback. As many levels
-// are saved as fit, never fewer than before, and another run with free space continues.
+// A full disk may stop the closing of a level, the writing of rows or of a checkpoint, or a rollback. As many levels
+// are saved as fit, and never fewer than before. Another run with free space continues.
 TEST_F(KeptRows, GoOnAfterAFullDisk) {
     std::mt19937 random(10);
     int stops = 0, kept_more = 0;
@@ -506,7 +506,7 @@ TEST_F(KeptRows, BeginAnewBehindCheckpointsThatAreNotComplete) {
     EXPECT_EQ(newest().at(0).number, 8U);
 }
 
-// The reported error is that of the rank in which it occurred, whatever the other ranks report.
+// The reported error is that of the rank in which it occurred, independently of the reports of other ranks.
 TEST(Ranks, ThrowTheErrorOfTheRankThatHasMetIt) {
     const auto work = [](Exchange& exchange) {
         SharedWork shared(exchange);
@@ -530,7 +530,8 @@ std::uint64_t virtual_pages() {
     return pages;
 }
 
-/// The exit code of a program without memory for the stacks of many threads: 3 if it reports a limit with these words.
+/// Returns the exit code of a program without memory for the stacks of many threads. It is 3 if the program reports a
+/// limit with these words.
 int end_without_stacks(const std::string& words, const std::function<void()>& work) {
     const pid_t child = fork();
     if (child == 0) {
@@ -602,8 +603,8 @@ TEST(RowFilters, HaveWhatWasAddedAndLittleElse) {
 }
 
 // The size of an entry depends on the number of rows. With 32 bits, 64 bytes store 14 rows in 49 parts, and 19 of 20
-// places are used; with 24, 16 and 8 bits, they store 18 rows in 45, 28 in 35 and 56 in 7 parts. With 24 bits, 11,000
-// rows have almost no false positive; with 10 million rows there is half a one on average.
+// places are used. With 24, 16 and 8 bits, they store 18 rows in 45, 28 in 35 and 56 in 7 parts. With 24 bits, 11,000
+// rows have almost no false positive; 10 million rows have half a false positive on average.
 TEST(RowFilters, KeepFewerBitsWhereMemoryIsShort) {
     RowFilter filter(32, 64'000);
     const std::tuple<std::uint64_t, double, double> expected[] = {

@@ -10,7 +10,7 @@
 namespace robochart::refine {
 namespace {
 
-/// More rows than the initial capacity of a message, in two rounds; in the second round only one rank sends.
+/// The rows exceed the initial capacity of a message. There are two rounds, and in the second one only one rank sends.
 TEST(RowBatches, BringEveryRowWithWhetherATauLedToIt) {
     constexpr lts::Word count = 1000;
     as_ranks(3, [](Exchange& exchange) {

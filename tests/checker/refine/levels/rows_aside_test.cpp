@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows that are set aside: each is returned with its lowest level first, for any number of rows, and none is lost if
-// the disk is full.
+// Rows that are set aside. Each row is returned with its lowest level first, for any number of rows, and no row is lost
+// if the disk is full.
 #include "checker/refine/levels/rows_aside.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using Row = std::vector<Word>;
 
 class AsideRows : public testing::Test {
 protected:
-    /// Adds a random row. For a repeated row the first level counts, because levels ascend.
+    /// Adds a random row. The first level of a repeated row counts, because levels ascend.
     void add(Level level) {
         const Row row{static_cast<Word>(random_() % 20), static_cast<Word>(random_() % 50)};
         aside_.add(row, lts::StateStore::hash(row), level);

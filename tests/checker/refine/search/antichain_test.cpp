@@ -81,7 +81,7 @@ TEST(Antichains, GiveTheShortestViolationsOfAllPairs) {
     EXPECT_GT(saved, 200);
 }
 
-/// Accepts words of a and b, guesses that the k-th last letter was a, and then ends.
+/// A graph that accepts words of a and b, guesses that the k-th last letter was a, and then ends.
 Graph kth_last_letter(lts::StateIndex k) {
     constexpr Event a = process::first_visible;
     Graph graph;

@@ -14,7 +14,8 @@ TEST(ParentIndex, RemembersTheParentOfEveryState) {
     ParentIndex index;
     std::vector<lts::StateIndex> parents{lts::no_state};
     for (lts::StateIndex state = 0; state < 40000; ++state) {
-        // Long stretches of states without children, others with many; there is always a state left to expand.
+        // There are long stretches of states without children, and others with many. There is always a state left to
+        // expand.
         std::uint32_t found = state % 1000 < 700 ? 0 : static_cast<std::uint32_t>(random() % 8);
         if (state + 1 == parents.size()) found += 150;
         index.expanded(found);

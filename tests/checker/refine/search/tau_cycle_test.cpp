@@ -32,7 +32,7 @@ std::vector<StateIndex> all(const Edges& edges) {
     return vertices;
 }
 
-/// The length of the shortest path from a vertex to itself, 0 if there is none.
+/// Returns the length of the shortest path from a vertex to itself, or 0 if there is none.
 std::size_t way_back(const Edges& edges, StateIndex vertex) {
     std::vector<bool> reached(edges.size(), false);
     std::vector<StateIndex> level{vertex};

@@ -17,7 +17,7 @@ using process::Event;
 
 constexpr Event events = 5;  // in addition to tau and tick
 
-/// Mostly wide and shallow; `stuck` of a thousand states have no transitions.
+/// Returns a graph that is mostly wide and shallow. `stuck` of a thousand states have no transitions.
 Graph random_graph(std::mt19937& random, std::size_t states, unsigned taus, unsigned stuck) {
     Graph graph;
     for (std::size_t state = 0; state < states; ++state) {

@@ -75,7 +75,7 @@ TEST_F(Checks, NothingBelowADivergenceOfTheSpecificationMatters) {
     EXPECT_TRUE(holds(specification, s.prefix("a", b), FD));
     EXPECT_FALSE(holds(specification, s.prefix("b", b), FD));
     EXPECT_FALSE(holds(specification, s.prefix("a", b), T));
-    // After a the specification may diverge or stop; in FD it then allows everything.
+    // After a, the specification may diverge or stop. In FD it then allows everything.
     EXPECT_TRUE(holds(s.prefix("a", either(stop, div)), s.prefix("a", b), FD));
 }
 
@@ -260,7 +260,7 @@ TEST_F(Checks, FaultsOfEvaluationPass) {
                  process::SemanticsError);
 }
 
-// Sizes for which a quadratic search would take too long: a long tau path, and a cycle through all its states.
+// The sizes are such that a quadratic search would take too long: a long tau path, and a cycle through all its states.
 TEST_F(Checks, DivergenceIsFoundInLinearTime) {
     constexpr int length = static_cast<int>(tests::rounds(8000));
     TermId line = stop;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks whose searches are stored in a folder: same answers, figures and counterexamples as level searches in memory,
-// also after kills at any time; and rejection of folders that belong to other runs.
+// Checks whose searches are stored in a folder. They have the same answers, figures and counterexamples as level
+// searches in memory, even after kills at any time. Folders that belong to other runs are rejected.
 #include "checker/refine/verdict/kept_search.hpp"
 
 #include <fcntl.h>
@@ -32,8 +32,8 @@ bool has_locks = true;
 
 }  // namespace
 
-/// Locks as on NFS (flock(2), "NFS details"): an exclusive lock needs a file that is open for writing, and locks of
-/// folders are not visible to other machines.
+/// Locks files as NFS does (flock(2), "NFS details"): an exclusive lock needs a file that is open for writing, and
+/// locks of folders are not visible to other machines.
 extern "C" int flock(int file, int operation) noexcept {
     struct stat found {};
     (void)::fstat(file, &found);
@@ -291,7 +291,7 @@ TEST_F(KeptSearches, LeaveTheFilesOfOthersAlone) {
     EXPECT_FALSE(fs::exists(kept() + "/finished-search-0123456789abcdef"));
 }
 
-// If a run is killed before it has created the folder's first file, this file still has its temporary name.
+// If a run is killed before it has renamed the first file of the folder, this file still has its temporary name.
 TEST_F(KeptSearches, TakeAFolderThatAKilledRunHasBegun) {
     const std::string left = kept() + "/.robochart-0123456789abcdef";
     fs::create_directories(kept());
@@ -399,7 +399,7 @@ TEST_F(KeptSearches, SayWhereTheFileSystemHasNoLocks) {
     EXPECT_EQ(decide(search), in_memory());
 }
 
-// A run that removed the folder's lock file has ended: a lock on a removed file does not count.
+// A lock on a removed file does not count: a run that removed the lock file of the folder has ended.
 TEST_F(KeptSearches, LockTheFileThatIsThere) {
     const std::string path = folder_.path() + "/lock";
     const diagnostics::Descriptor before = storage::open_to_lock(path, true);

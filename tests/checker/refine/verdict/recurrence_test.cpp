@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// AG EF of an event: by hand, and for random processes compared with a forward search from each state.
+// Tests AG EF of an event by hand, and for random processes by comparison with a forward search from each state.
 #include "checker/refine/verdict/recurrence.hpp"
 
 #include <gmock/gmock.h>
@@ -58,7 +58,7 @@ TEST_F(Recurrence, WhatHappensOnceCannotComeAgain) {
     EXPECT_EQ(decided(once, {"a", "b"}).outcome, Outcome::holds) << "one of several suffices";
 }
 
-/// The goal can be lost after two and after three steps: the counterexample shows the shorter path.
+/// The goal can be lost after two and after three steps. The counterexample shows the shorter path.
 TEST_F(Recurrence, TheNearestLossIsShown) {
     const TermId home = s.name("Home");
     const auto back_or = [&](const std::string& event, TermId target) {
@@ -70,7 +70,7 @@ TEST_F(Recurrence, TheNearestLossIsShown) {
     EXPECT_THAT(run_of(verdict), ElementsAre("c", "d"));
 }
 
-/// It is enough that some run reaches the goal, whoever resolves the internal choices. A wrong internal choice that
+/// One run that reaches the goal is enough, for any resolution of internal choices. A wrong internal choice that
 /// excludes the goal is a loss.
 TEST_F(Recurrence, InternalStepsCount) {
     const TermId good = s.name("Good");

@@ -32,7 +32,7 @@ std::vector<std::uint32_t> staying(const Description& description, const States&
     return found;
 }
 
-/// Every state has a choice that stays within the set, and reaches every other state by such choices.
+/// Whether every state has a choice that stays within the set, and reaches every other state by such choices.
 bool is_end_component(const Description& description, const States& states) {
     naive::Matrix edges(description.states.size(), std::vector<Rational>(description.states.size(), 0));
     std::vector<bool> moves(description.states.size(), false);
@@ -84,7 +84,7 @@ TEST(EndComponents, AreTheMaximalSetsThatCanBeStayedIn) {
 }
 
 TEST(EndComponents, OnlyOfWhatIsAdmitted) {
-    // 0 and 1 lead to each other; 1 may also stay, by its second choice.
+    // States 0 and 1 lead to each other. State 1 may also stay, by its second choice.
     const Model model = model_of(mdp({{{{{1, 1}}}}, {{{{0, 1}}}, {{{1, 1}}}}}));
     const Graph graph(model);
     EXPECT_EQ(end_components(graph).front().states, (States{0, 1}));

@@ -55,7 +55,7 @@ bool successors(const Description& description, State state, const StateSet& set
     return all;
 }
 
-/// The fixed point from the empty or full set, by as many applications as there are states.
+/// Computes the fixed point from the empty or full set. The function is applied as many times as there are states.
 template <class Step>
 StateSet fixed_point(const Description& description, bool greatest, Step step) {
     StateSet set(description.states.size(), greatest);

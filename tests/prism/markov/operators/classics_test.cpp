@@ -42,15 +42,15 @@ TEST(Classics, ASlowChainIsSolvedToTheLastDigits) {
         const Solution solution = until(model, all(model), set_of(model.states(), {2 * length}), Direction::minimum);
         expect_encloses(solution.values[length], Rational(1, 2));
         EXPECT_EQ(solution.shortfall, "");
-        // From the first state on the right, the end is reached directly with 2^(1-length), otherwise with 1/2 from the
-        // middle.
+        // From the first state on the right, the end is reached directly with probability 2^(1-length), otherwise with
+        // 1/2 from the middle.
         const Rational at_once(1, boost::multiprecision::cpp_int(1) << (length - 1));
         expect_encloses(solution.values[length + 1], at_once + (1 - at_once) / 2);
     }
 }
 
-/// The same chain with a second choice in every state before an end: to stay. A maximising scheduler never stays
-/// forever; the loops are end components without value.
+/// The same chain with a second choice in every state before an end, which is to stay. A maximising scheduler never
+/// stays forever. The loops are end components without value.
 TEST(Classics, ASlowMdpWithLoops) {
     for (const State length : {10U, 20U, 40U}) {
         Description description = slow_chain(length);
@@ -67,8 +67,8 @@ TEST(Classics, ASlowMdpWithLoops) {
     }
 }
 
-/// Two equally good alternatives in every step, one of which takes twice as long. Both are optimal, but a proof that
-/// does not consider the other accepts only one.
+/// Every step has two equally good alternatives, one of which takes twice as long. Both are optimal, but a proof that
+/// considers only one of them accepts only this one.
 TEST(Classics, EquallyGoodChoicesOfDifferentLength) {
     std::vector<std::vector<Choice>> states;
     constexpr State length = 30;
@@ -93,7 +93,7 @@ TEST(Classics, EquallyGoodChoicesOfDifferentLength) {
 }
 
 TEST(Classics, FreeLoopsAreNoWayToSave) {
-    // 0 and 1 lead to each other without cost; 0 may also go to 2, at cost 5.
+    // States 0 and 1 lead to each other without cost. State 0 may also lead to 2 at cost 5.
     const Description description = mdp({{{{{1, 1}}}, {{{2, 1}}, 5}}, {{{{0, 1}}}}, {{{{2, 1}}}}});
     const Model model = model_of(description);
     const Rewards rewards = rewards_of(description);
@@ -108,7 +108,7 @@ TEST(Classics, FreeLoopsAreNoWayToSave) {
 }
 
 TEST(Classics, ALoopIsNoWayToWin) {
-    // 0 to 1; 1 back to 0, or to 2 or 3 with 1/2 each.
+    // State 0 leads to 1. State 1 leads back to 0, or to 2 or 3 with probability 1/2 each.
     const Model model = model_of(mdp({{{{{1, 1}}}}, {{{{0, 1}}}, {{{2, 1}, {3, 1}}}}, {{{{2, 1}}}}, {{{{3, 1}}}}}));
     const StateSet end = set_of(4, {2});
     EXPECT_EQ(until(model, all(model), end, Direction::maximum).values[0], (Enclosure{0.5, 0.5}));
@@ -118,7 +118,7 @@ TEST(Classics, ALoopIsNoWayToWin) {
 }
 
 TEST(Classics, LongRunsByTheirShares) {
-    // 1/4 to {1,2}, where 2 is twice as frequent as 1; 3/4 to 3.
+    // The chain goes to {1,2} with probability 1/4, where 2 is twice as frequent as 1, and to 3 with probability 3/4.
     Description description = dtmc({{{1, 1}, {3, 3}}, {{2, 1}}, {{1, 1}, {2, 1}}, {{3, 1}}});
     description.rewards = {0, 6, 0, 1};
     const Model model = model_of(description);

@@ -198,7 +198,7 @@ Faults bounded_fault(const Description& description) {
     return std::nullopt;
 }
 
-/// U>=from: by definition, with the value of the unbounded until after those steps.
+/// U>=from by definition: the value of the unbounded until after `from` steps.
 Faults lower_bounded_fault(const Description& description) {
     const Model model = model_of(description);
     for (const Direction direction : {Direction::minimum, Direction::maximum}) {

@@ -15,7 +15,7 @@
 namespace robochart::markov {
 namespace {
 
-/// From 0 to 1 with a probability between 0.2 and 0.4, otherwise back to 0.
+/// State 0 leads to 1 with a probability between 0.2 and 0.4, otherwise back to 0.
 UncertainChain waiting() {
     return {{{{0, 0.6, 0.8}, {1, 0.2, 0.4}}, {}, 2}, {{{1, 1, 1}}, {}, 2}};
 }
@@ -27,7 +27,7 @@ TEST(Robust, ByHand) {
     ASSERT_EQ(least.size(), 4U);
     EXPECT_EQ(least[0][0], 0);
     EXPECT_EQ(least[0][1], 1);
-    // 1 - 0.8^3 and 1 - 0.6^3, rounded outward.
+    // The values are 1 - 0.8^3 and 1 - 0.6^3, rounded outward.
     EXPECT_NEAR(least[3][0], 0.488, 1e-12);
     EXPECT_LE(least[3][0], 0.488 + 1e-16);
     EXPECT_NEAR(greatest[3][0], 0.784, 1e-12);
@@ -50,7 +50,7 @@ TEST(Robust, TheModelOfPrismsManual) {
 }
 
 /// In interval Markov chains nature chooses again at every visit of a state (as in PRISM's robust verification, which
-/// uses interval MDPs). With two steps left the fast way is better, although it fails with probability one half; with
+/// uses interval MDPs). With two steps left the fast way is better, although it fails with probability one half. With
 /// three steps left the sure way is better. A single chain that takes the sure way with probability l reaches the goal
 /// within three steps with probability 0.375 + 0.125 l, at most 0.5. Nature reaches it with 0.5 (0.5 0.5) + 0.5.
 TEST(Robust, NatureChoosesAnewInEachStep) {
@@ -69,12 +69,12 @@ TEST(Robust, NatureChoosesAnewInEachStep) {
     EXPECT_NEAR(most[2][0], 0.25, 1e-12);
     EXPECT_NEAR(most[3][0], 0.625, 1e-12);
     EXPECT_NEAR(most[4][0], 0.8125, 1e-12);
-    // The minimum: the fast way with three steps left, the sure way with two.
+    // For the minimum, nature takes the fast way with three steps left and the sure way with two.
     EXPECT_NEAR(reach_bounds(chain, goal, 3, Direction::minimum)[3][0], 0.5 * 0 + 0.5 * 0.5, 1e-12);
 }
 
-/// Three successors with values 1, 0.5 and 0 after one step each. An upper bound does not bind if less probability mass
-/// remains.
+/// Three successors have the values 1, 0.5 and 0 after one more step. An upper bound of a branch does not matter if
+/// less probability mass remains.
 TEST(Robust, MassGoesWhereItCounts) {
     const UncertainChain chain{
         {{{1, 0.1, 0.5}, {2, 0.2, 0.6}, {3, 0.1, 0.9}}, {}, 2},
@@ -119,7 +119,7 @@ TEST(Robust, Values) {
     EXPECT_EQ(value_bounds(waiting(), value, 2, Direction::maximum)[0][0], -1);
 }
 
-/// A geometric time with a probability from 0.2 to 0.4: a mean from 2.5 to 5 steps.
+/// A geometric time with a probability from 0.2 to 0.4 has a mean from 2.5 to 5 steps.
 TEST(Robust, Costs) {
     const StateSet goal{false, true};
     const double least = cost_bounds(waiting(), goal, {2, 7}, Direction::minimum)[0];
@@ -155,14 +155,14 @@ TEST(Robust, CostsWithoutBound) {
     EXPECT_EQ(most[1], 0);
     EXPECT_NEAR(cost_bounds(chain, goal, cost, Direction::minimum)[0], 1, 1e-6);
     EXPECT_TRUE(std::isinf(cost_bounds(waiting(), {false, true}, {1, 1}, Direction::maximum, 3)[0]));
-    // A state from which the chain cannot get there does not matter.
+    // A state that the chain cannot reach does not matter.
     UncertainChain apart = chain;
     apart[0].branches.pop_back();
     EXPECT_NEAR(cost_bounds(apart, goal, cost, Direction::maximum)[0], 2, 1e-4);
 }
 
-/// Away with a probability a from 0.2 to 0.4, back with 0.5: the chain is away for a / (a + 0.5) of the time. With a
-/// period, half of that.
+/// The chain goes away with a probability a from 0.2 to 0.4, and back with 0.5. It is away for a / (a + 0.5) of the
+/// time. With a period it is away for half of that.
 TEST(Robust, Averages) {
     const UncertainChain chain{{{{0, 0.6, 0.8}, {1, 0.2, 0.4}}, {}, 2}, {{{0, 0.5, 0.5}, {1, 0.5, 0.5}}, {}, 2}};
     const double least = average_bound(chain, 0, {0, 1}, Direction::minimum);
@@ -179,7 +179,7 @@ TEST(Robust, Averages) {
 
 // ---------------------------------------------------------------- a swarm that can be lumped
 
-/// Robots that search and carry independently: the number of carrying robots is a Markov chain.
+/// Robots search and carry independently. The number of carrying robots is a Markov chain.
 constexpr std::size_t robots = 3;
 constexpr double finds = 0.15;
 constexpr double drops = 0.25;
@@ -289,9 +289,9 @@ TEST(Robust, BoundsOfEstimatedChainsHoldInNineteenOfTwentyRepetitions) {
     EXPECT_LT(widest, 0.5);
 }
 
-/// Swarms that with probability 0.6 are locked forever in the initial state, and otherwise leave it with probability
-/// one half in each step. Their behaviour depends on more than the state. The chain leaves as slowly as all of them on
-/// average; fresh trials leave soon or never.
+/// These swarms are locked forever in the initial state with probability 0.6, and otherwise leave it with probability
+/// one half in each step. Their behaviour depends on more than the state. The estimated chain leaves at the average
+/// rate of all swarms, but fresh trials leave soon or never.
 TEST(Robust, AChainOfWhatIsLockedIsRefuted) {
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> draw(0, 1);
@@ -316,8 +316,8 @@ TEST(Robust, AChainOfWhatIsLockedIsRefuted) {
     const auto refuted = [&](std::size_t step) {
         return statistics::contradicts(left[step], fresh, 0.01 / horizon, {least[step][0], greatest[step][0]});
     };
-    // One swarm in five leaves in the first step. Only one visit in twenty is the last, because most visits are those
-    // of locked swarms.
+    // One swarm in five leaves in the first step. Only one visit in twenty is the last one, because most visits are
+    // those of locked swarms.
     EXPECT_TRUE(refuted(1));
 }
 

@@ -27,7 +27,7 @@ PathSet paths(const Description& description, std::optional<std::uint64_t> steps
         {graph, strategy, description.left, description.right, from, steps, bound, strict, 1'000'000'000, nullptr});
 }
 
-/// 0 goes to 1 with 1/2, to 2 with 1/4, or stays; 1 goes to 2.
+/// State 0 goes to 1 with probability 1/2, to 2 with 1/4, or stays. State 1 goes to 2.
 Description small() {
     Description result = dtmc({{{0, 1}, {1, 2}, {2, 1}}, {{2, 1}}, {{2, 1}}});
     result.left = set_of(3, {0, 1});
@@ -37,7 +37,8 @@ Description small() {
 
 TEST(ProbablePaths, ComeInTheOrderOfTheirProbability) {
     const PathSet found = paths(small(), {}, 0.9);
-    // 1/2 for 0 1 2, 1/4 for 0 2, then the same after one more 0: 1/8, 1/16; 1/2 + 1/4 + 1/8 + 1/16 is above 0.9.
+    // The path 0 1 2 has probability 1/2, and 0 2 has 1/4. With one more 0 they have 1/8 and 1/16. The sum 1/2 + 1/4 +
+    // 1/8 + 1/16 is above 0.9.
     ASSERT_EQ(found.paths.size(), 4U);
     EXPECT_TRUE(found.enough);
     EXPECT_EQ(found.paths[0].states, (std::vector<State>{0, 1, 2}));
@@ -60,7 +61,7 @@ TEST(ProbablePaths, OfAStateInTheGoalThereIsOneWithoutSteps) {
 }
 
 TEST(ProbablePaths, LoopsThatCostNothingAreNoTrap) {
-    // 0 and 1 lead to each other; with probability 1/1000 a step from 1 ends in 2.
+    // States 0 and 1 lead to each other. With probability 1/1000 a step from 1 ends in 2.
     Description description = dtmc({{{1, 1}}, {{0, 999}, {2, 1}}, {{2, 1}}});
     description.left = set_of(3, {0, 1});
     description.right = set_of(3, {2});

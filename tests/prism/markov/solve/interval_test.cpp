@@ -16,8 +16,8 @@
 namespace robochart::markov {
 namespace {
 
-/// A random double of any magnitude for which four operations stay finite; often with few digits, so that some results
-/// are exact.
+/// Returns a random double of any magnitude for which four operations stay finite. It often has few digits, so that
+/// some results are exact.
 double random_double(std::mt19937_64& numbers, bool negative) {
     const int exponent = static_cast<int>(numbers() % 80) - 40;
     const auto digits = static_cast<double>(numbers() % (numbers() % 2 == 0 ? 16 : std::uint64_t{1} << 53U));

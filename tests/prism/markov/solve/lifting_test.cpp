@@ -71,7 +71,8 @@ TEST(Reconstruction, Fractions) {
         ASSERT_TRUE(found);
         EXPECT_EQ(Rational(found->numerator, found->denominator), Rational(numerator, denominator));
     }
-    // Fractions of 60 digits need a modulus of more than 124 digits: the result is "not found", not a wrong fraction.
+    // Fractions of 60 digits need a modulus of more than 124 digits. With a smaller one no fraction is found, and no
+    // wrong one.
     for (int round = 0; round < 200; ++round) {
         const Integer denominator = 1 + (numbers() >> 4U);
         const Integer numerator = numbers() >> 4U;
@@ -107,8 +108,8 @@ struct Chain {
     Chain& operator=(const Chain&) = delete;
 };
 
-/// Each unknown leads to lower ones with positive probability, and the lowest one leads outside, so all of them leave.
-/// `unit` divides the denominators.
+/// Each unknown leads to lower unknowns with positive probability, and the lowest one leads outside, so all of them
+/// leave. `unit` divides the denominators.
 void fill(std::mt19937_64& random, std::uint32_t unknowns, const Integer& unit, Chain& chain) {
     for (std::uint32_t unknown = 0; unknown < unknowns; ++unknown) {
         std::vector<Integer> weights;
@@ -189,7 +190,7 @@ TEST(Lifting, TriesOtherPrimesWhereOneDividesADenominator) {
     }
 }
 
-/// x0 = c + 1/2 x0: all digits of the constant are kept, also multiples of the prime.
+/// The equation is x0 = c + 1/2 x0. All digits of the constant are kept, including multiples of the prime.
 TEST(Lifting, KeepsLongConstants) {
     const std::vector<Rational> numbers{Rational(1, 2)};
     System<Rational> system;

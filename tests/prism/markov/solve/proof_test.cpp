@@ -80,7 +80,7 @@ void expect_enclosed(const std::vector<Interval>& found, const std::vector<Ratio
     }
 }
 
-/// Keeps a guess, or changes it by anything from a rounding error to twice its size.
+/// Keeps a guess, or changes it by an amount between a rounding error and twice its size.
 void disturb(std::mt19937_64& numbers, Guesses& guesses) {
     const double size = std::ldexp(1.0, -static_cast<int>(below(numbers, 50)));
     const auto disturbed = [&](double value) {
@@ -159,7 +159,7 @@ TEST(Elimination, EndsAtItsLimit) {
 }
 
 TEST(Elimination, RefusesAPolicyThatStays) {
-    // 0 and 1 lead to each other, or outside.
+    // States 0 and 1 lead to each other, or outside.
     const std::vector<Rational> one{1};
     const System<Rational> system{{0, 2, 3}, {0, 1, 1, 2}, {1, 0}, {0, 0}, {0, 1, 0}, {0, 1, 0}, one};
     EXPECT_FALSE(eliminate(system, {0, 2}, {{1, 1}}, {}));
