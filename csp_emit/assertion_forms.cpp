@@ -65,7 +65,8 @@ std::vector<ExprPtr> outputs_of(const Provenance& provenance, const std::string&
         const std::size_t dot = own.find('.');
         const ExprPtr channel = b::name(prefix + own.substr(0, dot));
         if (dot == std::string::npos) result.push_back(channel);
-        // Other hidden events stand for an output or call that the process does not show.
+        // Hidden steps with these meanings (`step__.n`) are omitted: they stand for effects that the process does not
+        // show.
         if (own.ends_with(".out")) result.push_back(b::dot({channel, b::name("out")}));
     }
     return result;
@@ -81,8 +82,8 @@ ExprPtr WatchedCopy::only(const std::string& event, const std::vector<ExprPtr>& 
 
 namespace {
 
-/// The channels, in the component around a machine, that operations defined there use to call the platform. They do not
-/// belong to the machine, and the copy is in another place.
+/// The channels on which operations that the surrounding component defines call the platform. They do not belong to the
+/// machine, and the copy is outside that component.
 std::vector<DeclPtr> channels_around(const Emitted& emitted, const std::string& path) {
     std::vector<DeclPtr> result;
     const std::size_t end = path.rfind("::");

@@ -20,7 +20,7 @@ namespace robochart::csp_emit {
 [[nodiscard]] cspm::DeclPtr timelock_free(const cspm::ExprPtr& process, bool negated = false);
 /// `STOP [T= (P; r__ -> STOP) |\ {r__}`: no ✓ is reachable, because r__ would follow it.
 [[nodiscard]] cspm::DeclPtr never_terminates(const cspm::ExprPtr& process);
-/// P; RUN({event}): P, which performs the event forever after it has terminated.
+/// `P; RUN({event})`: after P has terminated, `event` stays possible forever.
 [[nodiscard]] cspm::ExprPtr running_on(const cspm::ExprPtr& process, const std::string& event);
 /// `SKIP [T= P`: P performs no event except ✓; negated: it performs one. RoboTool's specification is STOP, which also
 /// forbids ✓, so that every state of a terminating machine seems reachable.
@@ -41,11 +41,12 @@ struct WatchedCopy {
     [[nodiscard]] cspm::ExprPtr only(const std::string& event, const std::vector<cspm::ExprPtr>& arguments) const;
 };
 /// A copy that performs `unset__` when a guard reads the clock before its first reset, and `reset__` at a reset.
-/// `machine`: the path of an emitted machine. `purpose`: the ending of the module's name. The meaning of the copy's
-/// names is added to the provenance of `emitted`.
+/// `machine` is the path of an emitted machine. The module's name ends in `purpose`. The function adds the meaning of
+/// the copy's names to the provenance of `emitted`.
 [[nodiscard]] WatchedCopy clock_watch(const Project&, NameManager&, Emitted& emitted, const std::string& machine,
                                       const std::string& clock, const std::string& purpose);
-/// A copy that shows where an event is offered, in the state or outside it (MachineContext::offered); null: anywhere.
+/// A copy that shows where the machine offers an event: in `state` or outside it (MachineContext::offered). A null
+/// `state` means everywhere except at the machine's end.
 [[nodiscard]] WatchedCopy offer_watch(const Project&, NameManager&, Emitted& emitted, const std::string& machine,
                                       const std::string& event, const ir::Node* state, const std::string& purpose);
 /// A process that performs `missed__` if and only if `event` can be missed for `units` time units by a copy with these

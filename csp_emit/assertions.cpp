@@ -43,7 +43,8 @@ std::string wording(const ir::Property& property) {
     return property.wording.substr(property.wording.find_first_not_of(' ', colon + 1));
 }
 
-/// What is true if the claim fails without a single run as evidence.
+/// Text for a claim that fails without a counterexample, such as the negation of deadlock freedom: what is true
+/// instead.
 std::string opposite(const ir::Property& property) {
     switch (property.kind) {
         case PropertyKind::deadlock_free:
@@ -120,7 +121,7 @@ ExprPtr Asserter::argument(const std::vector<std::string>& names, const ir::Prop
     return nullptr;
 }
 
-/// The machine's own constant if the parameter is a part's constant; "" otherwise.
+/// The name of the machine's own constant if the parameter is for a part's constant; otherwise "".
 std::string Asserter::own(const ConstantParameter& constant) const {
     const auto found = own_.find(constant.source);
     return found == own_.end() ? "" : found->second;
@@ -138,7 +139,8 @@ bool Asserter::takes(const ir::ComponentRef& ref, const std::string& constant) c
                                [&](const ArgumentParameter& argument) { return argument.name == constant; });
 }
 
-/// Reports RC-C08, once for the untimed and the timed script.
+/// Reports RC-C08 for constants that the assertion sets and neither of its components has. A property that is checked
+/// in both semantics is reported once.
 void Asserter::report_unused(const ir::Property& property) const {
     if (timed() && property.untimed) return;
     for (const auto& [name, value] : property.constants)
@@ -146,7 +148,7 @@ void Asserter::report_unused(const ir::Property& property) const {
             project_.diagnostics.report(rules::constant_without_use, property.origin.span, {property.name, name});
 }
 
-/// The script's name for a process of a CSP block, or for something that belongs to it.
+/// The script's name for a process of a CSP block, or for a definition of that process such as its alphabet.
 std::string Asserter::name_of(const ir::ComponentRef& process, const std::string& ending) const {
     const std::string name = process.path + ending;
     if (process.definition >= project_.system.csp_blocks.size()) return name;
@@ -164,8 +166,8 @@ ExprPtr Asserter::process(const ir::ComponentRef& ref, const ir::Property& prope
     return b::call(path(ref) + "::" + variant, arguments(ref, property));
 }
 
-/// `0`, an operation's parameters, then the constants: values set by the assertion, otherwise those of the
-/// instantiations.
+/// The arguments of a component's process: `0`, an operation's parameters, then the constants. The assertion's values
+/// take precedence over those of the instantiations.
 b::Exprs Asserter::arguments(const ir::ComponentRef& ref, const ir::Property& property) const {
     const ComponentEmission* found = component(ref);
     b::Exprs arguments{b::number(0)};
@@ -196,7 +198,8 @@ std::vector<DeclPtr> Asserter::termination(const ExprPtr& process, cspm::Model m
             b::assert_property(running_on(process, "r__"), AssertionKind::deadlock_free, model, false)};
 }
 
-/// Two components of the model are compared by the names of their events (csp-gen issue 91), so one side is renamed.
+/// Two components of the model are compared by the names of their events (csp-gen issue 91), so the events of one side
+/// are renamed.
 ExprPtr Asserter::renamed_to(const ir::ComponentRef& ref, const ir::ComponentRef& other, const ExprPtr& process) const {
     const ComponentEmission* from = component(ref);
     const ComponentEmission* to = component(other);
@@ -318,7 +321,7 @@ void Asserter::missed_event(const ir::Property& property, Obligation& out) {
                                  property.event, times);
 }
 
-/// Why the property cannot be checked in its model; "" if it can.
+/// The reason why the property cannot be checked in its semantic model; "" if it can be checked.
 std::string Asserter::unavailable_model(const ir::Property& property) const {
     const bool binary = property.kind == PropertyKind::refines || property.kind == PropertyKind::equals;
     const bool of_traces = property.kind == PropertyKind::reachable ||
@@ -341,7 +344,7 @@ std::string Asserter::unavailable_model(const ir::Property& property) const {
     return "";
 }
 
-/// Why a property has no CSPM form here; "" if it has one.
+/// The reason why a property has no CSPM form here; "" if it has one.
 std::string Asserter::unavailable(const ir::Property& property) const {
     const bool binary = property.kind == PropertyKind::refines || property.kind == PropertyKind::equals;
     const bool component_only =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See block_claims.hpp. Definitions are followed by name, for all arguments: a set counts with all events that it may
-// contain.
+// See block_claims.hpp. The analysis follows definitions by name, for all arguments. A set counts with all events that
+// it may contain.
 #include "csp_emit/block_claims.hpp"
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ void each_part(const cspm::Expr& expr, const std::function<void(const ExprPtr&)>
         if (each->body) visit(each->body);
 }
 
-/// The definitions in the blocks of a file, as far as claims about processes need them.
+/// The definitions in the blocks of a file that matter for claims about processes.
 class Definitions {
 public:
     Definitions(const std::vector<DeclPtr>& decls, const Provenance& provenance) : provenance_(provenance) {
@@ -44,7 +44,7 @@ public:
     }
 
     [[nodiscard]] bool defines(const std::string& name) const { return declared_.contains(name); }
-    /// The inputs that the process hides, under the names that it uses.
+    /// The inputs that the process hides, under the names that the process uses.
     [[nodiscard]] std::set<std::string> hidden_inputs(const std::string& process) {
         followed_.clear();
         hidden_.clear();
@@ -169,7 +169,7 @@ std::vector<Obligation> block_obligations(const Project& project, const std::vec
 
 void check_block_claims(const Project& project, const DeclsOfFiles& files, const Provenance& provenance) {
     std::set<std::string> reported;
-    std::map<std::string, Definitions> definitions;  // by file
+    std::map<std::string, Definitions> definitions;  // by path of the assertion file
     for (const ir::Property& property : project.system.properties) {
         const bool both = property.timed && property.untimed;
         if (project.timed() ? !property.timed : !property.untimed) continue;

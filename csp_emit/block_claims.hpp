@@ -19,10 +19,11 @@ namespace robochart::csp_emit {
 /// The declarations of the blocks of each assertion file, by its path.
 using DeclsOfFiles = std::map<std::string, std::vector<cspm::DeclPtr>>;
 
-/// Reports claims about blocks of the other semantics (RC-C14), blocks that define no process with their own name
-/// (RC-C11), and claims in a model with refusals about a process that hides inputs of a component (RC-C12). Hidden
-/// events happen spontaneously and at once (Roscoe, Understanding Concurrent Systems, 5.1). A state with a hidden event
-/// is unstable and has no refusals, so such a claim requires nothing of it.
+/// Reports three kinds of claims. (1) A claim about a block of the other semantics (RC-C14). (2) A claim about a block
+/// that defines no process with its own name (RC-C11). (3) A claim in a semantic model with refusals about a process
+/// that hides inputs of a component (RC-C12). The reason for the third: hidden events happen spontaneously and at once
+/// (Roscoe, Understanding Concurrent Systems, 5.1). A state with a hidden event is unstable and has no refusals, so
+/// such a claim requires nothing of the state.
 void check_block_claims(const Project&, const DeclsOfFiles&, const Provenance&);
 
 }  // namespace robochart::csp_emit

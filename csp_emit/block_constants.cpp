@@ -20,7 +20,7 @@ namespace {
 using cspm::ExprKind;
 using DefinitionsByName = std::map<std::string, std::vector<BlockDefinition>>;
 
-/// The value in a definition of a constant, as far as it is known without evaluating a script.
+/// The value in a constant's definition, if it is known without evaluating a script.
 struct Value {
     std::string text;
     bool known = false;  ///< it is a number, a truth value, or a name that no block defines
@@ -77,7 +77,7 @@ private:
     const DefinitionsByName& definitions_;
 };
 
-/// Whether the script of the other semantics has already led to the same finding.
+/// Whether the script of the other semantics has already reported this finding.
 bool is_known(const Project& project, const diagnostics::Rule& rule, diagnostics::Span place) {
     const auto known = project.diagnostics.sorted();
     return std::ranges::any_of(
@@ -89,7 +89,7 @@ bool is_known(const Project& project, const diagnostics::Rule& rule, diagnostics
 std::set<std::string> check_names_of_constants(const Project& project, const DefinitionsByName& definitions) {
     std::set<std::string> result;
     const Values values(definitions);
-    std::map<std::string, const ir::NamedConstant*> first_part;  // by the machine's own name
+    std::map<std::string, const ir::NamedConstant*> first_part;  // by the name of the machine's own constant
     const std::vector<ir::NamedConstant> constants = ir::named_constants(project.system);
     const auto own = ir::own_constants(project.system);
     for (const ir::NamedConstant& constant : constants) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One constant has several names in a block Instantiations: the machine's own (`const_P_S_c`) and one for each place in
-// which a controller runs the machine (`const_P_C_ref_c`). In every claim about a controller or a module, RoboTool sets
-// the second to the first, so the machine's own name decides if a block defines it.
+// Checks blocks Instantiations that give a constant more than one value. Such a block may name a constant in several
+// ways: `const_P_S_c` for the machine's own constant, and `const_P_C_ref_c` for each reference of a controller to the
+// machine. In every claim about a controller or a module, RoboTool sets the constant of the reference to the machine's
+// own constant. So the machine's own constant decides if the block defines it.
 #pragma once
 
 #include <set>
@@ -11,9 +12,9 @@
 
 namespace robochart::csp_emit {
 
-/// Reports which name decides if a block gives different values to a machine's own constant and to a part's (RC-C17).
-/// Rejects blocks that give two parts different values and the machine's own constant none (RC-C18), because RoboTool's
-/// scripts have a single constant there. Returns the constants of parts that a block defines and that do not count.
+/// If a block gives different values to a machine's own constant and to a part's, reports which name decides (RC-C17).
+/// Rejects blocks that give two parts different values and do not define the machine's own constant (RC-C18), because
+/// RoboTool's scripts have a single constant there. Returns the parts' constants that a block defines without effect.
 std::set<std::string> check_names_of_constants(const Project&,
                                                const std::map<std::string, std::vector<BlockDefinition>>&);
 

@@ -16,7 +16,7 @@ struct BlockDefinition {
     diagnostics::Span place;
 };
 
-/// By name in the script of the model's elements; a function has several clauses.
+/// The definitions, by the name that the element has in the script. A function has several clauses.
 [[nodiscard]] std::map<std::string, std::vector<BlockDefinition>> block_definitions(
     const Project&, const std::vector<FileBlocks>& files, const NamesForBlocks& of_model);
 

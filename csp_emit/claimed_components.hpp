@@ -12,8 +12,8 @@
 
 namespace robochart::csp_emit {
 
-/// Calls `visit` on the expressions and all their parts, and on the definitions outside components that they name, once
-/// for each definition.
+/// Calls `visit` for the expressions and all their parts. Follows the names of definitions outside components, and
+/// visits each definition once.
 void visit_named(const Emission&, const std::vector<cspm::ExprPtr>&,
                  const std::function<void(const cspm::ExprPtr&)>& visit);
 

@@ -65,7 +65,7 @@ private:
         return obligation;
     }
 
-    /// For a machine; each clock is checked in an instrumented copy of it.
+    /// Adds the clock properties of a machine; each clock is checked in an instrumented copy of the machine.
     void clocks() {
         if (component_.machine == nullptr) return;
         for (const ir::Clock& clock : component_.machine->clocks) {
@@ -90,7 +90,7 @@ private:
         }
     }
 
-    /// For the machines inside, in the component's own context.
+    /// Adds reachability of the states of all machines in the component, in the component's context.
     void states() {
         const ExprPtr visible = default_process(project_, path_, component_, "VS__");
         each_machine_inside([&](const std::string& path, const ir::Machine& machine) {
@@ -98,7 +98,8 @@ private:
                 if (node.kind == ir::NodeKind::state) state(path, node, visible);
         });
     }
-    /// VS__ compresses no part, so each of its states determines the states of the machines.
+    /// Adds the question which transitions fire. VS__ compresses no part, so each of its states determines the states
+    /// of the machines.
     void transitions() {
         FiringQuestion question{default_process(project_, path_, component_, "VS__"), {}};
         each_machine_inside([&](const std::string& path, const ir::Machine& machine) {

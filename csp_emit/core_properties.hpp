@@ -10,10 +10,10 @@
 
 namespace robochart::csp_emit {
 
-/// The core properties of every module, controller and state machine, component by component. A component that has
-/// terminated counts neither as deadlocked nor as stopping time, and the platform is assumed to accept every call,
-/// output and write at once. Required properties: freedom from deadlocks, divergences and timelocks, and no read of a
-/// clock before it is set. The others are information.
+/// The core properties of every module, controller and state machine, component by component. The required properties
+/// are freedom from deadlocks, divergences and timelocks, and that no clock is read before it is set. The other
+/// properties are information. A terminated component counts neither as deadlocked nor as stopping time. The platform
+/// is assumed to accept every call, output and write at once.
 [[nodiscard]] std::vector<Obligation> core_properties(const Project&, NameManager&, Emitted&);
 
 }  // namespace robochart::csp_emit

@@ -113,7 +113,7 @@ private:
     std::vector<std::pair<std::string, std::vector<DeclPtr>>> packages_;
 };
 
-/// `given`: the names of constants that blocks Instantiations define and that count in claims.
+/// Emits every component. `given` contains the constants that blocks Instantiations define with effect on claims.
 void emit_components(const Project& project, const NameManager& names, const std::set<std::string>& given,
                      Emitted& emitted, std::vector<DeclPtr>& decls) {
     Packages packages;
@@ -156,7 +156,7 @@ std::vector<DeclPtr> read_block(const Project& project, const ir::CspBlock& bloc
     return with_comments(cspm::read(project.sources, source, project.diagnostics).decls, text);
 }
 
-/// Removes `transparent` lines that repeat those of the library.
+/// Removes `transparent` lines that repeat lines of the library.
 std::vector<DeclPtr> declared_once(const std::vector<DeclPtr>& blocks, const std::vector<DeclPtr>& library) {
     const auto announces = [](const DeclPtr& decl) {
         return decl->kind == cspm::DeclKind::transparent || decl->kind == cspm::DeclKind::external;
@@ -177,7 +177,8 @@ std::vector<DeclPtr> declared_once(const std::vector<DeclPtr>& blocks, const std
     return result;
 }
 
-/// The blocks for this semantics, file by file; instantiations without `transparent` lines that repeat the library's.
+/// The blocks for this semantics, file by file. Instantiations lose the `transparent` lines that repeat lines of the
+/// library.
 std::vector<FileBlocks> user_blocks(const Project& project, const std::vector<DeclPtr>& library) {
     std::vector<FileBlocks> result;
     std::set<std::string> instantiations;
@@ -187,7 +188,7 @@ std::vector<FileBlocks> user_blocks(const Project& project, const std::vector<De
         FileBlocks& file = result.back();
         const std::vector<DeclPtr> decls = read_block(project, block);
         if (project.replaces_instantiations(block)) {
-            if (!instantiations.insert(block.text).second) continue;  // two files with the same block
+            if (!instantiations.insert(block.text).second) continue;  // an earlier file contains the same block
             project.diagnostics.report(rules::instantiations_replaced, block.text_span, {block.name});
             append(file.instantiations, declared_once(decls, library));
         } else {
@@ -197,8 +198,8 @@ std::vector<FileBlocks> user_blocks(const Project& project, const std::vector<De
     return result;
 }
 
-/// Adds the generated instantiations of all names that the user's leave out, and collects these names and, among them,
-/// the functions whose values the finite instantiation chooses.
+/// Adds the generated instantiations of all names that the user's blocks do not define. Collects these names, and among
+/// them the functions whose values the finite instantiation chooses.
 void add_instantiations(const Project& project, const std::set<std::string>& given, std::vector<DeclPtr>& decls,
                         std::set<std::string>& bounded, std::vector<std::string>& left_out) {
     for (const DeclPtr& decl : instantiations(project)) {
@@ -223,7 +224,7 @@ std::set<std::string> names_for_blocks(const Project& project, const std::vector
     return result;
 }
 
-/// Reserves every word in the blocks, so that no generated name is one of them.
+/// Reserves every word in the blocks, so that generated names differ from all of them.
 void reserve(const Project& project, NameManager& names) {
     const auto in_name = [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\'';
@@ -239,7 +240,7 @@ void reserve(const Project& project, NameManager& names) {
     }
 }
 
-/// Adds above an assertion the claim as reports print it, with its place.
+/// Adds a comment above an assertion: the claim as reports print it, with its place.
 void name_claim(const Project& project, Obligation& obligation) {
     std::vector<DeclPtr>& first = obligation.preparation.empty() ? obligation.assertions : obligation.preparation;
     if (first.empty()) return;
@@ -295,7 +296,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     std::vector<std::string> left_out;
     Emitted emitted;
     const std::set<std::string> given = given_names(files, safe.for_blocks);
-    std::set<std::string> deciding = given;  // for a constant with two names, the one that counts
+    std::set<std::string> deciding = given;  // if a constant has two names, the name that decides
     add_instantiations(project, given, generated, result.bounded, left_out);
     if (project.instantiations_replaced()) {
         const auto definitions = block_definitions(project, files, safe.for_blocks);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maps old names in CSP blocks to today's. Generators of 2021 and 2022 had no modules: they wrote `S_e`, `S_O` and
-// `S_moveCall` for today's `P::S::e`, `P::S::O__` and `P::S::moveCall`, an event `moveRet` at the end of a call of
-// `move`, and `enteredV.SID_s` for the entry of a state. Today's names, which the script has, are taken from scripts of
-// 2024 and 2026 (docs/semantics.md). A later generation had modules for components, and none for packages.
+// Maps old names in CSP blocks to the names of today's script, which are taken from RoboTool's scripts of 2024 and 2026
+// (docs/semantics.md). Generators of 2021 and 2022 had no modules. For `P::S::e`, `P::S::O__` and `P::S::moveCall` they
+// wrote `S_e`, `S_O` and `S_moveCall`; they also had an event `moveRet` at the end of a call of `move`, and
+// `enteredV.SID_s` for the entry of a state. A later generation had modules for components, but none for packages.
 #include "csp_emit/robotool_names.hpp"
 
 #include <fmt/format.h>
@@ -93,7 +93,7 @@ private:
         for_each_part(each, [&](const cspm::Expr& part) { expr(part); });
     }
 
-    /// `S::moveRet -> P`, which is written as P today.
+    /// Whether the prefix is like `S::moveRet -> P`, which today is written as P.
     bool left_out(const cspm::Expr& prefix) {
         const cspm::Expr& event = *prefix.args.at(0);
         if (event.kind != cspm::ExprKind::name || !prefix.fields.empty()) return false;
@@ -145,7 +145,8 @@ private:
         return declared_.contains(first_of(name)) ? std::nullopt : without_package(name);
     }
 
-    /// `S_e` for `P::S::e`. If it may belong to several components, the outermost counts, if there is one.
+    /// Maps `S_e` to `P::S::e`. If the name may belong to several components, takes the outermost one, provided that it
+    /// is unique.
     [[nodiscard]] std::optional<OldName> flattened(const std::string& name) const {
         std::optional<OldName> found;
         std::size_t depth = 0;
@@ -174,7 +175,7 @@ private:
         }
         return std::nullopt;
     }
-    /// `S::e` for `P::S::e`.
+    /// Maps `S::e` to `P::S::e`.
     [[nodiscard]] std::optional<OldName> without_package(const std::string& name) const {
         std::set<std::string> found;
         for (const auto& [path, component] : components_) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names in CSP blocks that RoboTool has or had and that this script does not have.
+// Finds names in CSP blocks that RoboTool has or had and that this script does not declare.
 #pragma once
 
 #include <map>
@@ -11,9 +11,9 @@
 
 namespace robochart::csp_emit {
 
-/// Reports names in the declarations of a file, such as `P::S::enteredV` or `S_e`, with their replacements (RC-C15):
-/// names of older generators of RoboTool, and names inside a machine in RoboTool's scripts. `definitions`: the other
-/// declarations of the script.
+/// Reports names in the declarations of a file, such as `P::S::enteredV` or `S_e`, with their replacements (RC-C15).
+/// These are names of older generators of RoboTool, and names inside a machine in RoboTool's scripts. `definitions`
+/// contains the other declarations of the script.
 void check_robotool_names(const Project&, const std::map<std::string, ComponentEmission>& components,
                           const std::vector<cspm::DeclPtr>& definitions, const std::vector<cspm::DeclPtr>& decls);
 

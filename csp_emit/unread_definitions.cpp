@@ -13,7 +13,7 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// Whether the script of the other semantics has already led to the same finding.
+/// Whether the script of the other semantics has already reported this finding.
 bool is_known(const Project& project, diagnostics::Span place) {
     const auto known = project.diagnostics.sorted();
     return std::ranges::any_of(known, [&](const diagnostics::Diagnostic& finding) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many small components at once: their generated code is compiled as one translation unit, then each component is
-// checked separately. Used for random models and surveys.
+// Checks many small components at once: compiles their generated code as one translation unit, then checks each
+// component separately. Used for random models and surveys.
 #pragma once
 
 #include <chrono>
@@ -26,7 +26,8 @@ struct Candidate {
     cpp_emit::Emission code;
 };
 
-/// The model's timed script and its generated code; null, with diagnostics, if the generator rejects it.
+/// Generates the model's timed script and the component's code. Returns null, with diagnostics, if the generator
+/// rejects the component.
 [[nodiscard]] std::unique_ptr<Candidate> candidate(const ir::System&, const ir::Instantiation&, const ir::ComponentRef&,
                                                    const Options&, diagnostics::SourceManager&,
                                                    diagnostics::Diagnostics&);

@@ -45,7 +45,7 @@ std::unique_ptr<SharedObject> build(const cpp_emit::Emission& emission, const Op
     return SharedObject::build(emission.files, sources, wanted, error);
 }
 
-/// The definition as text, for FDR and for readers; the check does not depend on it.
+/// The text of the normal form's definition, for FDR and for readers; the check does not depend on it.
 std::string normal_form_text(const csp_emit::Emission& script, const cspm::ExprPtr& process, const Alphabet& alphabet,
                              std::uint32_t cycle_length) {
     const NormalFormScript form = normal_form(script.definitions, process, alphabet, cycle_length, Reading::any_order);
@@ -84,7 +84,7 @@ refine::Limits limits_of_search(const Options& options) {
     return limits;
 }
 
-/// Used if there are too many valuations of all registers in all states: tries only readings on which something
+/// Used if all registers in all states have too many valuations: tries only readings on which the code or the model
 /// depends.
 void partially(Result& result, lts::TransitionSystem& model, cspm::Session& session, const Interface& interface,
                const rc_interface& code, const Options& options, const EventPlaces& places) {
@@ -118,7 +118,7 @@ Result checked(cspm::Session& session, const cspm::ExprPtr& process, const Inter
     return walked(std::move(result), session, model.get(), process, interface, code, options);
 }
 
-/// For each output, which of its arguments are represented by few values. Empty: no arguments of any output.
+/// For each output, which of its arguments few values represent. Empty: no arguments of any output.
 using Represented = std::vector<std::vector<bool>>;
 
 Represented represented_arguments(const ir::System& system, const Representatives& few,
@@ -154,7 +154,7 @@ void decide_for_all(Result& result, cspm::Session& session, const cspm::ExprPtr&
     result.reason = std::move(reason);
 }
 
-/// For a check that a limit ended: reports the inputs whose values cause the large number of cycles.
+/// If a limit ended the check, reports the inputs whose values cause the large number of cycles.
 void say_inputs(Result& result, const Interface& interface) {
     constexpr double many = 100;
     constexpr std::size_t most = 3;
@@ -194,14 +194,15 @@ void say_places(std::string& reason, std::vector<Cycle>& cycles, const csp_emit:
     for (Cycle& cycle : cycles) cycle.state = in_words(cycle.state);
 }
 
-/// The same for the parts of a result that concern the model, not the code.
+/// Does the same for the parts of a result that concern the model, not the code.
 void say_places(Result& result, const csp_emit::Provenance& provenance, const diagnostics::SourceManager& sources) {
     for (std::optional<Aside>* const aside : {&result.register_cycles, &result.deadlines})
         if (*aside) say_places((*aside)->reason, (*aside)->cycles, provenance, sources);
     if (result.outcome == Outcome::not_schedulable) say_places(result.reason, result.cycles, provenance, sources);
 }
 
-/// `sources`: the texts of the model; null: outcomes caused by the model are not explained in its terms.
+/// `sources` contains the texts of the model. If it is null, outcomes that the model causes are not explained in its
+/// terms.
 Result judged(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
               const ir::ComponentRef& component, const rc_interface& code, const Represented& represented,
               const Options& options, const diagnostics::SourceManager* sources, const EventPlaces& places) {
@@ -244,7 +245,8 @@ struct FewValuesModel {
     std::vector<FewValues> types;
 };
 
-/// No value if all values of the component can be explored, or no type is only passed on.
+/// Returns no value if all values of the component can be explored, or if the component does not only pass on values of
+/// any type.
 std::optional<FewValuesModel> few_values_model(const TimedModel& timed, const ir::ComponentRef& component,
                                                diagnostics::Diagnostics& diagnostics) {
     const RenamedSystem& model = timed.model;

@@ -92,8 +92,8 @@ std::string expected_text(const refine::Counterexample& found, const Alphabet& a
     return text.empty() ? "nothing" : text;
 }
 
-/// The event of the code that the model does not allow. Outside of reads L(G) offers one event; if the model requires
-/// another, the search stops before it, at the refusal.
+/// The event of the code that the model does not allow. L(G) offers one event at a time, except for reads. If the model
+/// requires another event, the search stops before the code's event, at the refusal.
 std::optional<process::Event> offence(const refine::Counterexample& found) {
     if (found.kind == refine::ViolationKind::refusal && found.offered.size() == 1) return found.offered.front();
     if (found.kind == refine::ViolationKind::trace && !found.steps.empty()) return found.steps.back().event;
@@ -175,7 +175,7 @@ void differs(Result& result, const refine::Counterexample& found, const Alphabet
     result.raw = std::move(run.raw);
 }
 
-/// The model in the relation has no divergences of its own to compare, so divergences of the code are searched
+/// Checks the relation. NF_c(M) of a schedulable M has no divergence, so divergences of the code are searched
 /// separately.
 refine::Verdict related(lts::TransitionSystem& specification, CodeSystem& code, const Alphabet& alphabet,
                         const refine::Limits& limits, Relation relation) {
@@ -199,8 +199,8 @@ void count(Result& result, const ModelGraph& model, const CodeSystem& code) {
 
 }  // namespace
 
-/// The first search checks two things together: whether M can be run in cycles, and whether it can be run in cycles
-/// that make each output once and miss no deadline. It ends at the first violation; the next search checks the rest.
+/// The first search checks two properties together: M can be run in cycles, and these cycles make each output once and
+/// miss no deadline. The search ends at the first violation, and the next search checks the remaining properties.
 Result schedulable(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,
                    const refine::Limits& limits) {
     Result result;

@@ -11,10 +11,11 @@
 
 namespace robochart::conformance {
 
-/// Schedulable: no reachable state of NF_c(M) is a timelock or a divergence. `outcome` is `conforms` in this case.
+/// Checks that M is schedulable: no reachable state of NF_c(M) is a timelock or a divergence. In this case `outcome` is
+/// `conforms`.
 [[nodiscard]] Result schedulable(ModelGraph&, const Alphabet&, std::uint32_t cycle_length, const refine::Limits&);
 
-/// NF_c(M) [FD= L(code) for a schedulable M. Throws AlphabetError if model and code do not fit together, and
+/// Checks NF_c(M) [FD= L(code) for a schedulable M. Throws AlphabetError if model and code do not fit together, and
 /// std::length_error if there are too many valuations.
 [[nodiscard]] Result refined_by(ModelGraph&, const Alphabet&, const rc_interface& code, std::uint32_t cycle_length,
                                 const refine::Limits&, Relation = Relation::failures_divergences,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See dispatch_equivalence.hpp. Other events are raised together with the dispatched one, because dispatch must ignore
-// them.
+// See dispatch_equivalence.hpp. Other events are raised together with the dispatched event, because dispatch must
+// ignore them.
 #include "conformance/check/dispatch_equivalence.hpp"
 #include "conformance/check/standstill.hpp"
 
@@ -70,7 +70,7 @@ public:
     Comparison(const rc_interface& code, const CodeSystem& system, const Alphabet& alphabet,
                const refine::Limits& limits)
         : code_(code), system_(system), alphabet_(alphabet), budget_(limits) {
-        // An output that the cycle never makes is a difference of the event API.
+        // an output that the cycle never makes is a difference of the event API
         for (Run* run : {&cycle_, &dispatched_, &again_, &whole_}) run->log.reserve(system.most_writes() + 1);
     }
 
@@ -85,7 +85,7 @@ public:
     }
 
 private:
-    /// All of these return false if the APIs differ.
+    /// Each of these functions returns false if the APIs differ.
     bool in_state() {
         const std::vector<Register>& inputs = alphabet_.interface().inputs;
         event_ = code_.events;
@@ -126,7 +126,7 @@ private:
         return alike(whole_) && (event_ != code_.events || passes_alone());
     }
 
-    /// Afterwards nothing is enabled: another look for transitions without events finds none.
+    /// After a dispatch no transition is enabled: another attempt to take transitions without events has no effect.
     bool stays() {
         again_.state = dispatched_.state;
         again_.log.given = 0;
@@ -144,8 +144,8 @@ private:
                promise(cycle_.state == other.state, other, "another state");
     }
 
-    /// After the machine has begun, a cycle without inputs is one call. Before, the cycle begins the machine or has no
-    /// effect.
+    /// After the machine has begun, a cycle without inputs is one call. Before that, the cycle begins the machine or
+    /// has no effect.
     bool passes_alone() {
         take_answers(whole_);
         whole_.state = from_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the event API of generated code with its cycle: both change the same state, and a dispatched event must have
+// Compares the event API of generated code with its cycle. Both change the same state, and a dispatched event must have
 // the effect of a cycle with this event (docs/conformance.md, "One event at a time").
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace robochart::conformance {
 
-/// Compares both APIs in all states in which `system` has begun a cycle, with every event and each of its values, and
-/// without an event; for all answers if the code asks for a choice. If no difference of the code is known yet, a
-/// difference becomes the result: the cycles that lead there, and the behaviour of both APIs. Does nothing if the
-/// component receives no event.
+/// Compares both APIs in all states in which `system` has begun a cycle: with every event and each of its values, and
+/// without an event; for all answers if the code asks for a choice. Does nothing if the component receives no event. If
+/// no difference of the code is known yet, a difference becomes the result, with the cycles that lead to it and the
+/// behaviour of both APIs.
 void compare_event_api(Result&, const rc_interface&, const CodeSystem& system, const Alphabet&, const refine::Limits&);
 
 }  // namespace robochart::conformance

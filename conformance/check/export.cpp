@@ -16,7 +16,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// Events that no normal form performs have no channel there.
+/// A channel for events that no normal form performs.
 std::string fault_channel(const lts::Graph& graph, const process::EventTable& events) {
     for (lts::StateIndex state = 0; state < graph.size(); ++state)
         for (const lts::Edge& edge : graph.edges(state))

@@ -62,7 +62,7 @@ Mismatch Follower::differs(Node node, std::string reason) {
     return {Outcome::differs, std::move(reason), allowed(node), nullptr};
 }
 
-/// Whether a stable state of the node offers only this event (or nothing), or there is no stable state; acceptances are
+/// Whether the node allows a state that offers only this event or nothing, or has no stable state. Acceptances are
 /// minimal.
 bool Follower::may_refuse(Node node, std::optional<process::Event> but) {
     const auto& acceptances = form_.acceptances(node);
@@ -86,8 +86,8 @@ std::optional<Mismatch> Follower::follow(Node& node, process::Event event, bool 
     return std::nullopt;
 }
 
-/// If the model cannot be run in cycles, nothing is checked after the point where this shows: the behaviour of the code
-/// there is not an error of the code.
+/// If the model cannot be run in cycles, the check ends at the first sign of this. The behaviour of the code after that
+/// point is not an error of the code.
 std::optional<Mismatch> Follower::model_stops(Node node) {
     if (form_.diverges(node)) return Mismatch{Outcome::not_schedulable, endless_model, "", &rules::endless_steps};
     const auto& acceptances = form_.acceptances(node);
@@ -99,7 +99,7 @@ std::optional<Mismatch> Follower::model_stops(Node node) {
     return std::nullopt;
 }
 
-/// Whether outputs can follow each other without end before time passes.
+/// Whether an infinite sequence of outputs is possible before time passes.
 bool Follower::endless(Node from) {
     std::unordered_map<Node, bool> open;  // whether the node is on the path; never iterated
     struct Place {

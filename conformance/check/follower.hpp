@@ -36,11 +36,12 @@ public:
     /// L(G) offers only this event (or, with `read`, all readings of a register). NF_c(M) must allow it, and must not
     /// require others. Returns no value and advances `node` if this holds.
     [[nodiscard]] std::optional<Mismatch> follow(Node& node, process::Event event, bool read);
-    /// The end of a cycle after its writes. `cut`: the code did more than is logged; the rest is not checked.
+    /// Follows the end of a cycle, after its writes. `cut`: the code made more outputs than the log contains; the rest
+    /// is not checked.
     [[nodiscard]] std::optional<Mismatch> finish(Node& node, rc_result outcome, bool cut);
     /// Whether the code has terminated in the cycle that was finished last.
     [[nodiscard]] bool over() const { return over_; }
-    /// Frame::unread: a register on whose reading something depends here.
+    /// With Frame::unread: a register whose reading affects the model in this node; no value if there is none.
     [[nodiscard]] std::optional<std::uint32_t> asked(Node node);
 
 private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What becomes of the platform's events in code that conforms: those that can be missed, those that can be overtaken.
+// Finds events of the platform without effect in code that conforms: events that can be missed, and events that can be
+// overtaken.
 #pragma once
 
 #include "conformance/check/places_in_state.hpp"
@@ -8,7 +9,7 @@
 
 namespace robochart::conformance {
 
-/// Adds them to the result of code that conforms, all of whose states have been explored.
+/// Adds these events to the result of code that conforms. All states of the code must have been explored.
 void add_lost_events(Result&, const CodeSystem& code, const Alphabet&, const EventPlaces&);
 
 }  // namespace robochart::conformance

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See missed_events.hpp. An event is lost in a cycle if its register makes no difference there for any readings of the
-// others: then equal trees follow all of its readings.
+// See missed_events.hpp. An event is lost in a cycle if its register makes no difference there, for any readings of the
+// other registers. Equal trees then follow all of its readings.
 #include "conformance/check/missed_events.hpp"
 
 #include <algorithm>
@@ -56,7 +56,7 @@ private:
         if (std::ranges::find(all.places, place.element) == all.places.end()) all.places.push_back(place.element);
     }
 
-    /// Which of the registers from this one on make no difference. Recursion depth: the number of registers.
+    /// For each register from this one on, whether it makes no difference. Recursion depth: the number of registers.
     const std::vector<bool>& lost_below(std::uint32_t node, std::size_t level) {
         if (level == 0) lost_.resize(inputs_ + 1);
         const auto found = lost_[level].find(node);

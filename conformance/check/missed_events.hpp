@@ -11,7 +11,7 @@
 
 namespace robochart::conformance {
 
-/// The events whose register may be raised without effect. `code` must have been explored completely.
+/// The events whose registers may be raised without effect. `code` must have been explored completely.
 [[nodiscard]] std::vector<MissedEvent> missed_events(const CodeSystem& code, const Alphabet&, const EventPlaces&);
 
 }  // namespace robochart::conformance

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::chrono::seconds longest_explanation{10};
 
-/// The actions of a run with the frame's visibility: reports of writes are visible or hidden.
+/// The actions of a run as the frame shows them: reports of writes are visible or hidden.
 refine::Run run_in(const Frame& frame, const std::vector<refine::Step>& steps, const Alphabet& alphabet) {
     refine::Run run;
     for (const refine::Step& step : steps) {
@@ -35,8 +35,8 @@ refine::Run run_in(const Frame& frame, const std::vector<refine::Step>& steps, c
     return run;
 }
 
-/// Adds hidden steps of M that are not outputs as long as there are some, the first of each state; ends if a state
-/// repeats.
+/// Follows hidden steps of M that are not outputs, always the first of each state. Ends if there is no such step or a
+/// state repeats.
 void settle(NormalFormSystem& system, const Alphabet& alphabet, refine::Run& run, refine::Budget& budget) {
     const auto silent = [&](const refine::RunStep& step) {
         return step.event == process::tau && alphabet.model_role(step.revealed).kind != ModelRole::Kind::output;
@@ -50,7 +50,7 @@ void settle(NormalFormSystem& system, const Alphabet& alphabet, refine::Run& run
     }
 }
 
-/// The behaviour of M in a run of NF_c(M), as a counterexample of M.
+/// Converts a run of NF_c(M) to the behaviour of M in it, as a counterexample of M.
 class RunOfModel {
 public:
     RunOfModel(ModelGraph& graph, const NormalFormSystem& normal_form, const Alphabet& alphabet)
@@ -79,7 +79,7 @@ public:
 private:
     [[nodiscard]] process::TermId term(ModelState state) const { return process::TermId{graph_.view(state).front()}; }
 
-    /// The last state of M before it terminates.
+    /// Follows the run and returns the last state of M before it terminates.
     ModelState follow(const refine::Run& run, std::vector<refine::Step>& steps, std::vector<process::TermId>& terms) {
         ModelState at = normal_form_.model(run.initial).value_or(graph_.initial());
         for (const refine::RunStep& step : run.steps) {
@@ -127,7 +127,7 @@ std::optional<refine::Violation> found_in(NormalFormSystem& normal_form, const F
         if (result->kind == refine::ViolationKind::no_trace) settle(normal_form, alphabet, result->run, budget);
     } catch (const process::Interrupted&) {
     } catch (const std::logic_error&) {
-        // How the run is displayed does not affect the verdict: a run that is not found in this form is not displayed.
+        // If the run is not found in this form, it is not displayed; the verdict does not depend on that.
     }
     normal_form.watch({});
     return result;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The behaviour of the model M in a run of NF_c(M), in terms of the model: for a model that cannot be run in cycles,
-// and for one from which generated code differs.
+// Describes the behaviour of the model M in a run of NF_c(M), in terms of the model. Used for models that cannot be run
+// in cycles, and for models from which generated code differs.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +45,7 @@ struct ModelWords {
                                                                  const refine::Counterexample& found,
                                                                  const refine::Limits& limits);
 
-/// A run of M in terms of the model. `kind`: the kind of the timed claim to which it is a counterexample.
+/// The run of M in terms of the model. `kind` is the kind of the timed claim that the run would refute.
 [[nodiscard]] runs::Run in_words(const refine::Counterexample& run, ir::PropertyKind kind, cspm::Session& session,
                                  const ModelWords& words);
 

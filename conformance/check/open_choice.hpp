@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the model chooses which of several values it outputs; then few values do not represent all
+// Determines whether the model chooses which of several values it outputs. In that case few values do not represent all
 // (docs/conformance.md, "Few values for all").
 #pragma once
 
@@ -18,9 +18,9 @@ struct OpenChoice {
     std::string one, other;
 };
 
-/// The first trace of the normal form after which two writes are possible that differ only in represented arguments.
-/// `represented`: for each output, which of its arguments are. No value if there is no such trace. Throws
-/// diagnostics::LimitReached.
+/// Finds the first trace of the normal form after which two writes are possible that differ only in represented
+/// arguments. `represented` states for each output which arguments few values represent. Returns no value if there is
+/// no such trace. Throws diagnostics::LimitReached.
 [[nodiscard]] std::optional<OpenChoice> open_choice(lts::TransitionSystem& normal_form, const Alphabet&,
                                                     const std::vector<std::vector<bool>>& represented,
                                                     const refine::Limits&);

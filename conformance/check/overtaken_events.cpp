@@ -49,7 +49,7 @@ private:
 
     void look_at(std::uint32_t image, const cpp_emit::EventPlace& place) {
         const std::uint32_t root = code_.known_root(image);
-        if (!looked_at_.emplace(root, &place).second) return;  // equal trees behave alike
+        if (!looked_at_.emplace(root, &place).second) return;  // equal trees have equal behaviour
         for (std::size_t event = 0; event < events_; ++event)
             if (place.level[event] > 0 && place.level[event] != cpp_emit::EventPlace::no_level)
                 look_at(root, place, event);
@@ -84,12 +84,12 @@ private:
         return found;
     }
 
-    /// The least and the greatest value represent all.
+    /// The readings to try: the least and the greatest value represent all values.
     [[nodiscard]] std::set<std::uint32_t> readings(std::size_t event) const {
         return {1U, alphabet_.interface().inputs[event].readings() - 1};
     }
 
-    /// The outputs of a cycle with only these events; no value if probabilistic junctions decide.
+    /// The outputs of a cycle in which only these events are raised; no value if probabilistic junctions decide.
     [[nodiscard]] const Writes& writes(std::uint32_t root, const std::vector<Raised>& raised) const {
         std::uint32_t node = root;
         for (std::size_t input = 0; input < inputs_; ++input) {

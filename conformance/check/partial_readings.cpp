@@ -93,8 +93,8 @@ private:
         budget_.states(positions_.size());
     }
 
-    /// If all readings of a register lead to the same tree, it makes no difference to the code. Recursion depth: the
-    /// number of registers.
+    /// A register whose readings all lead to the same tree makes no difference to the code. Recursion depth: the number
+    /// of registers.
     void through_tree(std::uint32_t node, std::size_t level, Readings& readings) {
         if (found_) return;
         if (level == inputs_) {
@@ -126,7 +126,8 @@ private:
         readings[*asked] = not_read;
     }
 
-    /// The register on which the model depends; no value: the cycle is done.
+    /// Follows the cycle in the model. Returns the register on which the model depends; no value if the cycle is
+    /// complete.
     std::optional<std::uint32_t> cycle(const CycleResult& result, const Readings& readings) {
         budget_.charge();
         ++cycles_;
@@ -197,7 +198,7 @@ private:
         return events;
     }
 
-    /// The common trace; a register on which nothing depends counts as empty.
+    /// The trace of code and model up to their difference. A register on which neither depends counts as empty.
     std::vector<process::Event> trace_to(const Last& last) const {
         std::vector<std::size_t> way;
         for (std::size_t at = last.from; at != 0; at = positions_[at].from) way.push_back(at);

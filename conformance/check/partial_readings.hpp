@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conformance in which the readings of a cycle are tried only if something depends on them: for components with so many
-// registers that there are too many valuations in all states of the model (docs/conformance.md, "Partial readings").
+// Checks conformance, but tries the readings of a register only if the code or the model depends on them. Used for
+// components whose registers have too many valuations in all states of the model (docs/conformance.md, "Partial
+// readings").
 #pragma once
 
 #include "conformance/check/places_in_state.hpp"
@@ -11,8 +12,8 @@
 
 namespace robochart::conformance {
 
-/// Returns `conforms`, `differs` and `not_schedulable` like the search over all valuations; if the model cannot be run
-/// in cycles, this is found only on paths that the code takes. Inconclusive at a limit.
+/// Returns `conforms`, `differs` and `not_schedulable` like the search over all valuations. It finds that the model
+/// cannot be run in cycles only on paths that the code takes. Returns `inconclusive` at a limit.
 [[nodiscard]] Result judge_partially(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code,
                                      std::uint32_t cycle_length, const refine::Limits&, const EventPlaces& = {});
 

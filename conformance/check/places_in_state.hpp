@@ -12,7 +12,7 @@
 
 namespace robochart::conformance {
 
-/// The places in which a controller's machines may miss events or take them late, according to the generator.
+/// The places in which a controller's machines may miss events or take them late, as determined by the generator.
 using EventPlaces = std::vector<cpp_emit::EventPlace>;
 
 class PlacesInState {
@@ -20,7 +20,7 @@ public:
     /// `places` must outlive the object.
     explicit PlacesInState(const EventPlaces& places);
 
-    /// The places in the order of the members; `state` is the text of CodeSystem::print.
+    /// The places of the machines in a state, in the order of the members. `state` is the text of CodeSystem::print.
     [[nodiscard]] std::vector<const cpp_emit::EventPlace*> in(std::string_view state) const;
     /// The number of events that the platform raises.
     [[nodiscard]] std::size_t events() const { return events_; }

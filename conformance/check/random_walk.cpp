@@ -46,8 +46,8 @@ public:
         return position;
     }
 
-    /// Executes one cycle. No value: both agree, or the code has terminated (`over`). Adds the events before the tocks
-    /// to `agreed` as far as both have them.
+    /// Executes one cycle. Returns no value if code and model agree, or if the code has terminated (`over`). Appends to
+    /// `agreed` the common events before the tocks.
     std::optional<Mismatch> cycle(Position& at, const Readings& readings, Cycle* reported = nullptr,
                                   std::vector<process::Event>* agreed = nullptr) {
         std::vector<rc_register> registers;
@@ -126,7 +126,7 @@ public:
 private:
     std::uint32_t below(std::uint32_t bound) { return bound == 0 ? 0 : static_cast<std::uint32_t>(random_() % bound); }
 
-    /// The least used of three random ones.
+    /// Of three randomly chosen positions, the least used.
     std::size_t pick() {
         std::size_t best = below(static_cast<std::uint32_t>(finds_.size()));
         for (int n = 0; n < 2; ++n) {
@@ -263,11 +263,11 @@ private:
 Result walk(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code, std::uint32_t cycle_length,
             const refine::Limits& limits, const WalkOptions& options) {
     refine::Limits bounds = limits;
-    // A cycle of the model may take long; the time of walks is checked between cycles.
+    // a cycle of the model may take long; the time limit of walks is checked between cycles
     bounds.deadline =
         std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                                std::chrono::duration<double>(2 * options.seconds + 1));
-    bounds.max_states = most_states;  // the limit that ended the search; walks are limited by their cycles
+    bounds.max_states = most_states;  // the limit that ended the search; the number of cycles limits the walks
     Walker walker(model, alphabet, code, cycle_length, bounds);
     std::optional<Search> search;
     try {

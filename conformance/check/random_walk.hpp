@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// For systems that are too large for a search: random walks of the compiled code along the model's normal form, guided
-// by coverage (after AFL's queue: walks continue from cycles that led to something new). They find differences and
-// never prove that there are none.
+// Random walks of the compiled code along the model's normal form, for systems that are too large for a search.
+// Coverage guides the walks, as in AFL's queue: they continue from cycles that reached new states. Walks find
+// differences; they never prove that there are none.
 #pragma once
 
 #include "conformance/check/result.hpp"

@@ -32,19 +32,19 @@ struct Cycle {
     std::string state;                 ///< state of the code after the cycle
 };
 
-/// An explanation of an outcome in terms of the model. If the model causes the outcome: its rule, its place and a
-/// remedy; if the code differs: how far the model follows it.
+/// Explains an outcome in terms of the model. If the model causes the outcome: its rule, its place and a remedy. If the
+/// code differs: the model's run up to the difference.
 struct Explanation {
     const diagnostics::Rule* rule = nullptr;  ///< see its page in docs/rules; null: the model does not cause the
                                               ///< outcome
     std::vector<std::string> where;           ///< "t2: B -> B (loop.rct:9)"; empty: unknown
     std::string remedy;                       ///< a change that would make the model schedulable; "": unknown
-    /// The run of the model that shows the problem; for `differs`, the run that follows the code up to the difference.
+    /// The run of the model that shows the problem. For `differs`, the run that follows the code up to the difference.
     /// No value: not found in time.
     std::optional<runs::Run> run;
 };
 
-/// A property of the model in addition to conformance: whether it holds, and if not, a shortest run that shows it.
+/// A property of the model in addition to conformance: whether it holds, and if it fails, a shortest run that shows it.
 struct Aside {
     bool holds = true;
     std::string reason;  ///< why it fails
@@ -56,7 +56,7 @@ struct Aside {
     std::optional<runs::Run> run;
 };
 
-/// Why an event is not taken in the cycles in which its register holds it.
+/// The reason why an event is not taken in the cycles in which its register holds it.
 enum class MissedWhile {
     busy,       ///< an action of the machine that uses it is in progress
     condition,  ///< the machine rests, and the conditions of all transitions that await it are false
@@ -74,8 +74,8 @@ struct MissedEvent {
     std::vector<Reason> reasons;
 };
 
-/// An event that a state takes only after events that its inner states take in the same cycle (docs/conformance.md,
-/// "Events that come second").
+/// An event that a state takes only after other events of the same cycle, which its inner states take
+/// (docs/conformance.md, "Events that come second").
 struct OvertakenEvent {
     std::string event;
     std::vector<std::string> by;      ///< the events that come first
@@ -98,7 +98,7 @@ struct ApiDifference {
     Behaviour dispatched;
 };
 
-/// A type of which few values were explored, since the component only passes them on.
+/// A type with few explored values, because the component only passes its values on.
 struct FewValues {
     std::string type;  ///< name in the model
     std::size_t values = 0;
@@ -111,21 +111,22 @@ struct Result {
     std::vector<Cycle> cycles;  ///< differs, not_schedulable: shortest input sequence
     std::string expected;       ///< events that the model allows at the difference
     Explanation explanation;    ///< differs, not_schedulable
-    /// The evidence for the explanation: the run of NF_c(M) that shows the problem, or a trace of NF_c(M), which is the
-    /// code's up to the difference (kind `no_trace`). It is found again if more is known about the model.
+    /// The evidence for the explanation. It is the run of NF_c(M) that shows the problem, or a trace of NF_c(M) that is
+    /// also the code's up to the difference (kind `no_trace`). The run is found again if more is known about the model.
     std::optional<refine::Counterexample> model_run;
     std::uint64_t code_states = 0;      ///< distinct state images of the code
     std::uint64_t code_cycles = 0;      ///< number of executed (state, input valuation) pairs
     std::uint64_t model_states = 0;     ///< states of M visited under the simulation assumptions
     refine::Statistics product;         ///< statistics of the refinement check
     refine::Statistics schedulability;  ///< statistics of the check of NF_c(M) alone
-    /// No cycle makes an output twice; then the strict relation, which forbids this, holds too. No value: not decided.
+    /// Whether no cycle makes an output twice; if so, the strict relation, which forbids this, holds too. No value: not
+    /// decided.
     std::optional<Aside> register_cycles;
-    /// No deadline passes while the model waits for an input that does not arrive. No value: not decided.
+    /// Whether no deadline passes while the model waits for an input that does not arrive. No value: not decided.
     std::optional<Aside> deadlines;
     std::vector<FewValues> represented;
-    std::vector<MissedEvent> missed;        ///< conforms: for all states of the code
-    std::vector<OvertakenEvent> overtaken;  ///< likewise
+    std::vector<MissedEvent> missed;        ///< if it conforms: events missed in some state of the code
+    std::vector<OvertakenEvent> overtaken;  ///< if it conforms: events that come second in some state of the code
     std::uint64_t dispatched = 0;           ///< number of (state, event or none) pairs in which both APIs were compared
     std::optional<ApiDifference> api_difference;
     std::vector<std::string> raw;       ///< the trace in events of NF_c(M)
@@ -141,7 +142,7 @@ enum class Relation {
     tick_tock,             ///< [TT=, which observes refusals before each tock, and the code has no divergence
 };
 
-/// L(G) for other tools: Aldebaran's format, Graphviz's, or a script that repeats NF_c(M) [FD= L(G) in FDR.
+/// The format in which L(G) is exported: Aldebaran's, Graphviz's, or a script that repeats NF_c(M) [FD= L(G) in FDR.
 enum class Export { none, aut, dot, csp };
 
 /// Guided random walks for systems that are too large for a search (random_walk.hpp).

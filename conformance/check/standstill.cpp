@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See standstill.hpp. The run is one of NF_c(M): the behaviour of M in it is a run of M and is interpreted like a
+// See standstill.hpp. In a run of NF_c(M), the behaviour of M is a run of M, which is interpreted like a
 // counterexample.
 #include "conformance/check/standstill.hpp"
 
@@ -19,7 +19,8 @@ namespace {
 /// Maximal number of places and of events in one explanation.
 constexpr std::size_t most_listed = 6;
 
-/// Endless outputs are a divergence if writes are hidden; a deadline missed by an input is not a standstill.
+/// The frame in which the problem is found. Endless outputs are a divergence if writes are hidden. A deadline missed by
+/// an input is not a standstill.
 Frame frame_for(const refine::Counterexample& found) {
     return {AfterTermination::idle, Outputs::sequence, Deadlines::idle,
             found.kind == refine::ViolationKind::divergence};
@@ -56,7 +57,7 @@ const std::vector<runs::Machine>& last_machines(const runs::Run& run) {
     return run.steps.empty() ? run.initial : run.steps.back().machines;
 }
 
-/// Words of one explanation, from the run of M.
+/// Writes the text of one explanation, from the run of M.
 class Words {
 public:
     Words(Explanation& explanation, const runs::Run& run, std::uint32_t cycle_length)
@@ -247,7 +248,8 @@ void explain_standstill(Result& result, const Explained& explained) {
     Words(result.explanation, *result.explanation.run, explained.options.cycle_length).write();
 }
 
-/// A run of M with a trace of NF_c(M). If M has several, it shows one; the text at its end is true of all of them.
+/// A run of M with a trace of NF_c(M). M may have several such runs; the text at the end of the run is true of all of
+/// them.
 std::optional<runs::Run> run_with(const refine::Counterexample& trace, const std::string& why,
                                   const Explained& explained) {
     const auto run = explained.run({}, trace);

@@ -14,20 +14,21 @@
 
 namespace robochart::conformance {
 
-/// The rule for a state of NF_c(M) in which nothing is possible; null if something is, or an input may come late.
+/// The rule for a state of NF_c(M) without possible events; null if an event is possible, or if the state waits for a
+/// late input.
 [[nodiscard]] const diagnostics::Rule* rule_of(Standstill);
 /// The rule for a run of NF_c(M) that ends in a standstill or an endless loop; `graph` is M's.
 [[nodiscard]] const diagnostics::Rule& rule_of(const refine::Counterexample&, ModelGraph& graph, const Alphabet&,
                                                std::uint32_t cycle_length, const refine::Limits&);
 
-/// A sequence of events of code and NF_c(M), or of NF_c(M) alone, as a run of which only the trace counts.
+/// Converts a sequence of events of code and NF_c(M), or of NF_c(M) alone, to a run of which only the trace matters.
 [[nodiscard]] refine::Counterexample traced(const std::vector<process::Event>& trace);
-/// Sets the rule and the run of a result that was found event by event (follower.hpp): the rule of a standstill, or
-/// null for code that differs. `trace`: the common trace of code and NF_c(M).
+/// Sets the rule and the run of a result that was found event by event (follower.hpp). The rule is that of a
+/// standstill, or null for code that differs. `trace` is the common trace of code and NF_c(M).
 void take_run(Result&, const diagnostics::Rule*, const std::vector<process::Event>& trace);
 
-/// Completes the explanation of a result that differs or is not schedulable, and those of its further properties: their
-/// runs are found again in the terms of M. If that takes too long, only the rule or the cycles are reported.
+/// Completes the explanations of a result that differs or is not schedulable, and of its further properties: finds
+/// their runs again in the terms of M. If that takes too long, reports only the rule or the cycles.
 void explain(Result&, cspm::Session&, const cspm::ExprPtr& process, const Alphabet&, const ModelWords&, const Options&);
 
 }  // namespace robochart::conformance

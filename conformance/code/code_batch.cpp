@@ -21,7 +21,7 @@ const cpp_emit::OutputFile* file_ending(const cpp_emit::Emission& code, std::str
     return nullptr;
 }
 
-/// Appends the text without the parts that occur only once at the top. `includes` collects the headers except those of
+/// Appends the text without the parts that occur only once at the top. Adds its headers to `includes`, except those of
 /// the candidate itself.
 void append_text(std::string& text, const std::string& source, std::set<std::string>& includes) {
     const std::string_view entry = "extern \"C\" const rc_interface* robochart_explore(void) {";
@@ -42,7 +42,7 @@ std::string preamble(const std::set<std::string>& includes) {
     return text + "\n";
 }
 
-/// The candidate's own headers that its shim includes, in their order, and the shim.
+/// The candidate's own headers that its shim includes, in the order of inclusion, and then the shim.
 std::vector<const cpp_emit::OutputFile*> own_files(const cpp_emit::Emission& code) {
     const cpp_emit::OutputFile& shim = *file_ending(code, code.shim);
     std::vector<const cpp_emit::OutputFile*> files;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generated code of many components as one source, because starting a compiler and parsing the headers takes longer
+// Compiles generated code of many components as one source. Starting a compiler and parsing the headers takes longer
 // than compiling a small machine.
 #pragma once
 
@@ -13,10 +13,10 @@
 
 namespace robochart::conformance {
 
-/// All cores and exploration interfaces as one source, each in its own namespace. The entry of the i-th is
+/// Writes all cores and exploration interfaces into one source, each in its own namespace. The entry of the i-th is
 /// `robochart_explore_i`, and compilers report its errors in "candidate_i.cpp".
 [[nodiscard]] std::vector<cpp_emit::OutputFile> batch_files(const std::vector<const cpp_emit::Emission*>&);
-/// The source among these files.
+/// The name of that source.
 inline constexpr const char* batch_source = "batch.cpp";
 
 /// For each of `count` candidates, the first error in the output of a compiler that failed on a batch; "": no error.

@@ -18,8 +18,8 @@ void append(lts::Graph& whole, const lts::Graph& part) {
     }
 }
 
-/// Joins both to one graph so that both are reachable: their first states are 1 and 1 + the number of the first's
-/// states.
+/// Joins both graphs to one in which both are reachable. Their first states get the numbers 1 and 1 + the number of
+/// states of the first graph.
 bool bisimilar(const lts::Graph& one, const lts::Graph& other) {
     const auto second = static_cast<lts::StateIndex>(1 + one.size());
     lts::Graph both;
@@ -32,7 +32,7 @@ bool bisimilar(const lts::Graph& one, const lts::Graph& other) {
     return quotient.state_of[1] == quotient.state_of[second];
 }
 
-/// A counterexample to the refinement; no value if it holds.
+/// Refinement of `specification` by `implementation`: a counterexample; no value if it holds.
 std::optional<refine::Counterexample> left_by(const lts::Graph& implementation, const lts::Graph& specification,
                                               const Alphabet& alphabet, const refine::Limits& limits) {
     lts::GraphSystem from(specification, alphabet.events());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether two controllers behave alike: L(G) and L(G') as graphs, strongly bisimilar or not. This is finer than equal
-// failures and divergences, so "same" holds in every model of CSP.
+// Determines whether two controllers have the same behaviour: whether L(G) and L(G') are strongly bisimilar graphs.
+// Bisimilarity is finer than equal failures and divergences, so "same" holds in every model of CSP.
 #pragma once
 
 #include <optional>
@@ -14,13 +14,13 @@ namespace robochart::conformance {
 struct CodeEquality {
     bool same = false;
     std::uint64_t states = 0;  ///< total of both graphs
-    /// Not the same: a shortest trace of one that the other does not have, or a different refusal or divergence; "" if
-    /// only their branching differs.
+    /// If the graphs are not the same, a shortest trace of only one of them, or a trace with a different refusal or
+    /// divergence. "" if only their branching differs.
     std::string difference;
     std::size_t cycles = 0;  ///< cycles of that trace, including incomplete ones
 };
 
-/// Both use the same alphabet. Throws process::Interrupted if a limit is reached.
+/// Compares two controllers with the same alphabet. Throws process::Interrupted if a limit is reached.
 [[nodiscard]] CodeEquality compare_code(const rc_interface& one, const rc_interface& other, const Alphabet&,
                                         std::uint32_t cycle_length, const refine::Limits&);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// L(G) as a graph: for exports and for comparing one controller with another.
+// Explores L(G) into a graph, for exports and for comparing two controllers.
 #pragma once
 
 #include "checker/lts/graph.hpp"

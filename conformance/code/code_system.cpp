@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // L(G); see code_system.hpp. Registers are read in one fixed order: a tree of readings whose leaves are results of
-// `step`. Equal subtrees are shared, as in a decision diagram, so registers that do not matter in a state cost nothing.
-// Why one order suffices: docs/conformance.md, "One order of reading".
+// `step`. Equal subtrees are shared, as in a decision diagram, so a register without effect in a state costs nothing.
+// docs/conformance.md, "One order of reading", explains why one order suffices.
 #include "conformance/code/code_system.hpp"
 
 #include <fmt/format.h>
@@ -25,14 +25,14 @@ enum Phase : lts::Word {
     over,     ///< terminated
 };
 
-/// Initial bytes of the state passed to `initial`: two patterns, so that bytes that it does not write are detected.
+/// Initial bytes of the state that `initial` fills: two patterns, which reveal bytes that `initial` does not write.
 constexpr std::array<unsigned char, 2> fills{0x00, 0xA5};
 
 /// Maximal number of results of one cycle, and of calls of `step` to find them.
 constexpr std::size_t max_ways = 4096;
 constexpr std::size_t max_trials = 1U << 16U;
 
-/// The event that L(G) performs and no NF allows, if a cycle ends with an outcome that the relation does not have.
+/// The event that L(G) performs, and that no NF allows, if the outcome of a cycle does not belong to the relation.
 const char* violation(const CycleResult& result) {
     switch (result.outcome) {
         case RC_PRECONDITION:
@@ -193,7 +193,7 @@ std::uint32_t CodeSystem::root(std::uint32_t image) {
     return made;
 }
 
-/// The tree below the first `read` registers, which are set. Recursion depth: the number of registers.
+/// Builds the tree below the first `read` registers, whose readings are set. Recursion depth: the number of registers.
 std::uint32_t CodeSystem::tree(const Bytes& from, std::vector<rc_register>& registers, std::size_t read) {
     if (read == registers.size()) return run(from, registers);
     Node node;
@@ -212,7 +212,7 @@ std::uint32_t CodeSystem::intern_node(std::size_t level, Node node) {
     return place->second;
 }
 
-/// One result, or a choice between the results of all branches of probabilistic junctions.
+/// Returns one result, or a choice between the results of all branches of probabilistic junctions.
 std::uint32_t CodeSystem::run(const Bytes& from, const std::vector<rc_register>& registers) {
     CycleLog log;
     std::vector<std::uint32_t> ways;
@@ -229,7 +229,7 @@ std::uint32_t CodeSystem::run(const Bytes& from, const std::vector<rc_register>&
     return intern_result(std::move(choice));
 }
 
-/// Calls `step` twice on copies, which detects a controller with memory outside its state.
+/// Calls `step` twice on copies of the state. This reveals a controller with memory outside its state.
 std::uint32_t CodeSystem::run_once(const Bytes& from, const std::vector<rc_register>& registers, CycleLog& log) {
     ++cycles_;
     if (poll_) poll_();
@@ -252,7 +252,7 @@ std::uint32_t CodeSystem::run_once(const Bytes& from, const std::vector<rc_regis
     return intern_result(result_of(outcome, log, once));
 }
 
-/// A call that does not return is a divergence, like a step bound; the state that it left behind is ignored.
+/// Treats a call that does not return as a divergence, like a step bound, and ignores the state that the call left.
 std::uint32_t CodeSystem::endless(const Bytes& from) {
     endless_ = true;
     CycleResult result;
@@ -294,7 +294,7 @@ struct CodeSystem::Found {
     std::unordered_map<std::uint32_t, From> from;  ///< never iterated
 };
 
-/// The images to which one cycle leads; each node of the tree of readings is visited once.
+/// Visits the images to which one cycle from this image leads, and each node of the tree of readings once.
 void CodeSystem::look_behind(std::uint32_t image, std::vector<std::uint32_t>& open, Found& found) const {
     const std::size_t inputs = alphabet_->interface().inputs.size();
     struct Place {

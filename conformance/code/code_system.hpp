@@ -17,16 +17,16 @@
 
 namespace robochart::conformance {
 
-/// The interface as the code describes it; carriers are numbers until the caller replaces them.
+/// The interface that the code describes; its carriers are numbers until the caller replaces them.
 [[nodiscard]] Interface interface_of(const rc_interface&);
 
-/// Longer texts are truncated; a state of 64 KiB takes less.
+/// Maximal length of a state's text; longer texts are truncated. The text of a state of 64 KiB is shorter.
 inline constexpr std::size_t longest_state_text = 1U << 20U;
 
-/// A state as the code prints it.
+/// The text that the code prints for a state.
 [[nodiscard]] std::string state_text(const rc_interface&, const void* state);
 
-/// The result of one call of `step`. Equal results are one object.
+/// The result of one call of `step`. Equal results share one object.
 struct CycleResult {
     rc_result outcome = RC_QUIESCENT;
     std::vector<process::Event> writes;
@@ -56,25 +56,26 @@ public:
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     void watch(const std::function<void()>& poll) override { poll_ = poll; }
 
-    /// For reporting runs: the reset image, one step (`readings` has one entry for each register), an image as text. If
-    /// a step has several branches, the one that begins with these writes is taken.
+    /// For reports of runs: the reset image, one step (`readings` has one entry for each register), an image as text.
+    /// If a step has several branches, returns the branch that begins with these writes.
     [[nodiscard]] std::uint32_t reset() const { return reset_; }
     [[nodiscard]] const CycleResult& step(std::uint32_t image, const std::vector<std::uint32_t>& readings,
                                           const std::vector<process::Event>& writes);
     [[nodiscard]] std::string print(std::uint32_t image) const;
 
-    /// The tree of an image's readings: for each reading of the next register the node below, after the last register
-    /// the result. Equal trees are shared, so a register that makes no difference has equal nodes below.
+    /// The root of an image's tree of readings. Each node lists the next node for every reading of its register; the
+    /// nodes after the last register are results. Equal trees are shared, so all children of a node are equal if its
+    /// register makes no difference.
     [[nodiscard]] std::uint32_t root(std::uint32_t image);
-    /// The same for an image in which a cycle has begun.
+    /// Returns the same root for an image in which a cycle has already begun.
     [[nodiscard]] std::uint32_t known_root(std::uint32_t image) const { return roots_.at(image); }
     [[nodiscard]] std::vector<std::uint32_t> below(std::uint32_t node) const { return nodes_[node]; }
     [[nodiscard]] const CycleResult& result(std::uint32_t number) const { return results_[number]; }
 
-    /// The images in which a cycle has begun, in the order of their first cycle.
+    /// The images in which a cycle has begun, ordered by their first cycle.
     [[nodiscard]] const std::vector<std::uint32_t>& begun() const { return begun_; }
     [[nodiscard]] std::vector<unsigned char> bytes(std::uint32_t image) const;
-    /// A shortest path to one of these images.
+    /// A shortest path from the reset image to an image in which a cycle has begun.
     [[nodiscard]] std::vector<PassedCycle> way_to(std::uint32_t image) const;
 
     [[nodiscard]] std::uint64_t images() const { return image_count_; }
@@ -86,13 +87,14 @@ public:
     [[nodiscard]] std::uint32_t cycle_length() const { return cycle_length_; }
     /// The maximal number of outputs in a cycle.
     [[nodiscard]] std::uint32_t most_writes() const { return most_writes_; }
-    /// Whether two images print alike and differ in bytes: the state is not canonical, and the numbers are larger than
-    /// necessary.
+    /// Whether two images have the same text but different bytes. The state is then not canonical, and the reported
+    /// numbers of states are larger than necessary.
     [[nodiscard]] bool alias_found() const { return alias_found_; }
 
 private:
     using Bytes = std::vector<unsigned char>;
-    /// After some reads: for each reading of the next register the node, after the last register the result.
+    /// A node of the tree of readings: for each reading of the next register a node, or after the last register a
+    /// result.
     using Node = std::vector<std::uint32_t>;
     std::uint32_t intern(const Bytes&);
     struct Found;

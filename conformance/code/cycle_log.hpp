@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The outputs and questions of a call of generated code: a log that grows, with comparison and enumeration.
+// The log of one call of generated code, with its outputs and questions. The log can grow, be compared, and enumerate
+// answers.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@ public:
     CycleLog& operator=(const CycleLog&);
     ~CycleLog() = default;
 
-    /// Whether a call wrote more outputs than there are records; it must be repeated after `grow`.
+    /// Whether a call made more outputs than the log can hold. The call must be repeated after `grow`.
     [[nodiscard]] bool cut() const { return (overflow & ROBOCHART_OVERFLOW_RECORDS) != 0; }
     /// Doubles the number of records and clears the log; false if there are `most_records` already.
     [[nodiscard]] bool grow();
@@ -25,7 +26,8 @@ public:
     /// Clears outputs and questions; the given answers stay.
     void clear() { count = overflow = asked = 0; }
 
-    /// Further outputs in one cycle are not compared. Generated code reaches its bound on steps at about this number.
+    /// Maximal number of outputs of a cycle that are compared. Generated code reaches its bound on steps at about this
+    /// number.
     static constexpr std::uint32_t most_records = 1U << 18U;
 
 private:

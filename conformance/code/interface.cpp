@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of events on both sides of the conformance check (docs/conformance.md, "From reactive model to cycles").
+// Names the events on both sides of the conformance check (docs/conformance.md, "From reactive model to cycles").
 #include "conformance/code/interface.hpp"
 
 #include <fmt/format.h>
@@ -67,7 +67,7 @@ std::vector<std::string> split_arguments(std::string_view text, const std::vecto
 
 std::string decimal_text(std::int64_t value, std::int64_t scale) {
     if (scale <= 1) return fmt::format("{}", value);
-    // Magnitudes are unsigned, so that the least number has one.
+    // a magnitude is unsigned, so that the least number has one
     const std::uint64_t magnitude =
         value < 0 ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
     const auto unit = static_cast<std::uint64_t>(scale);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The boundary of a component: input registers and outputs, and the names of their events in the model, in NF_c(M) and
-// in L(G) (docs/conformance.md, "From reactive model to cycles"). Model and code are related only here.
+// The boundary of a component: its input registers and outputs, and the names of their events in the model, in NF_c(M)
+// and in L(G) (docs/conformance.md, "From reactive model to cycles"). This file alone relates the names of model and
+// code.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +30,8 @@ struct Register {
     std::vector<std::string> texts;    ///< the values as CSPM text
     Carrier carrier;
 
-    /// Readings of one cycle: absent, then each value (one "present" if it carries none).
+    /// Number of possible readings in one cycle: absent, or one of the values (a single "present" if the register
+    /// carries no value).
     [[nodiscard]] std::uint32_t readings() const {
         return 1 + (values.empty() ? 1 : static_cast<std::uint32_t>(values.size()));
     }
@@ -49,11 +51,11 @@ struct Interface {
     std::vector<std::string> blocked;  ///< channels of M that the environment does not use: "set_EXT_x"
 };
 
-/// `value` as CSPM writes it, and as RoboChart writes it (reals as exact decimals).
+/// The value in CSPM's notation, and in RoboChart's (reals as exact decimals).
 [[nodiscard]] std::string cspm_text(const Carrier&, std::int64_t value);
 [[nodiscard]] std::string people_text(const Carrier&, std::int64_t value, std::int64_t scale);
 
-/// Thrown if the model performs an event for which the code's interface has no name, or if the interface is unusable.
+/// Thrown if the model performs an event that the code's interface does not name, or if the interface is unusable.
 class AlphabetError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -88,16 +90,16 @@ public:
     [[nodiscard]] process::Event read(std::uint32_t input, std::uint32_t reading) const {
         return reads_[input][reading];
     }
-    /// The report of an output with these arguments.
+    /// The event that reports an output with these arguments.
     [[nodiscard]] process::Event write(std::uint32_t output, const std::vector<std::int64_t>& arguments) const;
     [[nodiscard]] ModelRole model_role(process::Event) const;
     [[nodiscard]] CycleRole cycle_role(process::Event) const;
     /// The arguments of a write as text; the event must have that role.
     [[nodiscard]] std::vector<std::string> arguments(process::Event write) const;
-    /// "present__heading" and similar constructors of the NF script's datatypes.
+    /// The constructors of the NF script's datatypes, such as "present__heading".
     [[nodiscard]] const std::string& input_constructor(std::uint32_t input) const { return input_names_[input]; }
     [[nodiscard]] const std::string& output_constructor(std::uint32_t output) const { return output_names_[output]; }
-    /// "heading = 0.1", "MoveForward()", "end of cycle": an event of NF for readers.
+    /// The text of an NF event for readers: "heading = 0.1", "MoveForward()", "end of cycle".
     [[nodiscard]] std::string tell(process::Event) const;
 
 private:

@@ -34,7 +34,7 @@ private:
     const rc_interface* interface_ = nullptr;
 };
 
-/// Why the interface cannot be used (version, null pointers, sizes); "" if it can.
+/// The reason why the interface cannot be used (version, null pointers, sizes); "" if it can be used.
 [[nodiscard]] std::string interface_fault(const rc_interface&);
 
 }  // namespace robochart::conformance

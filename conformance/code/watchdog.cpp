@@ -27,7 +27,7 @@ struct Call {
     sigjmp_buf back;
     volatile sig_atomic_t running = 0;
     volatile std::uint64_t number = 0;
-    volatile std::uint64_t at_tick = 0;  ///< the call that was running at the last tick
+    volatile std::uint64_t at_tick = 0;  ///< the number of the call that was running at the last tick
 };
 thread_local Call call;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls generated code that may not return. Generated code bounds its own steps, but code with an error may not, and an
-// endless loop in it must be a finding that does not end the search.
+// Calls generated code that may not return. Generated code bounds its own steps, but faulty code may contain an endless
+// loop. The search then reports a finding and continues.
 #pragma once
 
 #include "cpp_emit/runtime/explore_abi.h"
@@ -27,7 +27,7 @@ enum class Patience {
 /// A call of generated code, and its arguments.
 using Guarded = rc_result (*)(void* arguments);
 
-/// The same for other functions of the interface.
+/// Calls another function of the interface in the same way.
 [[nodiscard]] Stepped watched(Guarded, void* arguments, Patience = Patience::seconds);
 
 }  // namespace robochart::conformance

@@ -64,7 +64,7 @@ void between(std::string_view text, std::size_t from, std::size_t to, std::vecto
 }
 
 std::vector<Comment> comments_of(std::string_view text) {
-    diagnostics::Diagnostics unread;  // the text has been reported on before
+    diagnostics::Diagnostics unread;  // `text` has already been checked, so new findings are dropped
     std::vector<Comment> result;
     std::size_t at = 0;
     for (const cspm::Token& token : cspm::lex(text, diagnostics::SourceId::none, unread)) {

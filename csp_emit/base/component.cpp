@@ -25,7 +25,8 @@ cspm::ExprPtr call_of(const std::string& function, const std::vector<std::string
 
 namespace {
 
-/// The declaration with the place of the element that it was generated for; errors about it are reported there.
+/// Returns the declaration with the span of the element from which it was generated, so that errors are reported at the
+/// element.
 cspm::DeclPtr placed(const cspm::DeclPtr& decl, const ir::Origin& origin) {
     cspm::Decl result = *decl;
     result.span = origin.span;

@@ -74,7 +74,7 @@ private:
 
 /// A machine as it was emitted in one place, and the meaning of its names there.
 struct EmittedMachine {
-    std::string path;  ///< qualified CSPM name of that place
+    std::string path;  ///< the qualified CSPM name of the place
     ComponentEmission emission;
     Provenance provenance;
 };
@@ -84,7 +84,7 @@ struct Emitted {
     Provenance provenance;
     std::map<std::string, ComponentEmission> components;
     /// Machines by their path in the model and the definitions of the operations that they call. Machines with the same
-    /// key are emitted alike in all places.
+    /// key have the same emitted form everywhere.
     std::map<std::string, EmittedMachine> machines = {};
     /// For each file: the new names of declarations in its CSP blocks that had to be renamed (name_clashes.hpp).
     std::map<std::string, std::map<std::string, std::string>> names_of_blocks = {};

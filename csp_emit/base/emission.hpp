@@ -68,7 +68,7 @@ struct OfferMeaning {
     std::string name = {};    ///< for a transition: "t1"
     std::string target = {};  ///< for a transition: its target
 };
-/// The meaning of a process definition of the script: a control state of a machine.
+/// The meaning of a process definition in the script, which represents a control state of a machine.
 struct DefinitionMeaning {
     std::string text;                     ///< "in S1", "in the action of t2"
     std::vector<std::string> parameters;  ///< the variable or clock that each parameter holds, by its RoboChart name;
@@ -87,15 +87,15 @@ struct DefinitionMeaning {
     std::string machine = {};  ///< the machine that runs in the component, qualified by its package: "P::S"
     /// The active states, outermost first. States of called operations follow those of their callers.
     std::vector<ir::Origin> active = {};
-    /// The offers of its triggers and of the statements to be executed next. Definitions share these objects.
+    /// The inputs and statements that the configuration offers. Definitions share these objects.
     std::vector<std::shared_ptr<const OfferMeaning>> offers = {};
 };
 /// Copies of one component that run together, for finding the copy that performs an event.
 struct CopiesMeaning {
     std::uint32_t count = 0;
     std::string word;  ///< name of a copy, to which its number is appended, counted from 0: "robot"
-    /// Channels whose first field is the number of the acting copy. The value describes what the copy does if the
-    /// events of the component do not say so; it is "" if there is nothing to describe.
+    /// Channels whose first field is the number of the acting copy. The value describes the copy's action if the
+    /// component's own events do not describe it; otherwise it is "".
     std::map<std::string, std::string> channels;
 };
 
@@ -114,22 +114,21 @@ struct TransitionInside {
     ir::Origin origin;
 };
 
-/// The question which transitions of a component fire. Assertions would need an event for each transition, so the
-/// search visits all states of the process instead.
+/// Asks which transitions of a component can fire. Assertions would need an event for each transition, so the search
+/// visits all states of the process instead.
 struct FiringQuestion {
     cspm::ExprPtr process;
     std::vector<TransitionInside> transitions;
 };
 
-/// The question whether an event of the goal stays reachable from every reachable state of the process. No refinement
-/// expresses this; a backward search decides it (checker/refine/verdict/recurrence.hpp).
+/// Asks whether some event of the goal stays reachable from every reachable state of the process. No refinement
+/// expresses this question; a backward search answers it (checker/refine/verdict/recurrence.hpp).
 struct RecurrenceQuestion {
     cspm::ExprPtr process;
     cspm::ExprPtr goal;  ///< a set of events
 };
 
-/// A condition that must be checked before a claim is answered with "holds". If the condition fails, the claim is not
-/// decided.
+/// A condition that is checked before a claim can hold. If the condition fails, the claim is undecided.
 struct Premise {
     std::vector<cspm::DeclPtr> assertions;  ///< members of the script; all of them must hold
     RecurrenceQuestion recurrence;          ///< must hold as well
@@ -138,8 +137,8 @@ struct Premise {
     std::string reason;                     ///< what is true at the end of the run that violates the premise
 };
 
-/// One check to be made: an assertion of the model in one semantics, as one or more CSPM assertions; an assert line of
-/// a CSP block; or a core property.
+/// One check: an assertion of the model in one semantics, as one or more CSPM assertions; an assert line of a CSP
+/// block; or a core property.
 struct Obligation {
     ir::PropertyKind kind = ir::PropertyKind::deadlock_free;
     bool negated = false;
@@ -192,9 +191,10 @@ struct Options {
     /// If a machine may have more states than this, estimated from the sizes of its carriers, its largest variables are
     /// kept in separate memory processes.
     double states_of_a_process = 50'000;
-    /// Every state of the process determines the values of all variables of a machine: they are parameters of every
-    /// definition, even if they are no longer read, and none is kept in a memory process. At a probabilistic junction,
-    /// also inside operations, the state determines the values that the probabilities read.
+    /// If set, every state of the process determines the values of all variables of a machine. Every definition then
+    /// has all variables as parameters, including those that are no longer read, and no variable has a memory process.
+    /// At a probabilistic junction, also inside operations, the state determines the values that the probabilities
+    /// read.
     bool whole_states = false;
     bool share_modules = true;  ///< modules with equal text are written once (shared_modules.hpp)
     bool share_calls = true;    ///< all calls of an operation share one definition; otherwise each call is inlined

@@ -13,7 +13,8 @@ namespace robochart::csp_emit {
 
 /// The library for untimed or timed scripts as CSPM text, in our own wording.
 [[nodiscard]] std::string library_text(Time);
-/// The same with the further definitions of RoboTool's library that the system's CSP blocks and assertions name.
+/// The same library with those further definitions of RoboTool's library that CSP blocks and assertions of the system
+/// mention.
 [[nodiscard]] std::string library_text(const ir::System&, Time);
 
 /// All top-level names that the untimed and the timed library declare, including the toolkits and the tick-tock model.

@@ -12,7 +12,7 @@
 namespace robochart::csp_emit {
 namespace {
 
-// Keywords and predefined names that generated text relies on.
+// Keywords and predefined names that the generated text uses.
 constexpr std::array reserved_names{"and",
                                     "or",
                                     "not",

@@ -36,14 +36,15 @@ private:
 [[nodiscard]] std::string module_name(const ir::Machine&);
 /// Whether CSPM can write the name: a letter, then letters, digits and underscores.
 [[nodiscard]] bool is_identifier(const std::string& name);
-/// Whether an element at the top of the script must not have this name: keywords of CSPM, its predefined names, names
-/// of our library, and texts that are not identifiers.
+/// Whether an element at the top of the script must not have this name: a keyword of CSPM, a predefined name, a name of
+/// our library, or a text that is not an identifier.
 [[nodiscard]] bool is_reserved(const std::string& name);
 /// Whether the name is reserved and has a meaning inside the modules of components.
 [[nodiscard]] bool is_reserved_inside(const std::string& name);
-/// The script's name for a parameter or bound variable of the model; no name of an element ends like it.
+/// The script's name for a parameter or bound variable of the model. Its ending keeps it distinct from the names of all
+/// elements.
 [[nodiscard]] std::string bound_name(const std::string& name);
-/// Whether a name ends like those of generated parameters and processes or of bound variables.
+/// Whether the name has the ending of generated parameters and processes, or of bound variables.
 [[nodiscard]] bool ends_as_ours(const std::string& name);
 /// Whether CSPM predefines the name, in every script or in timed sections.
 [[nodiscard]] bool is_predefined(const std::string& name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reporting and excerpts.
+// Reports unsupported constructs and quotes the model's text.
 #include "csp_emit/base/project.hpp"
 
 #include <algorithm>

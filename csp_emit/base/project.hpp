@@ -26,7 +26,7 @@ struct Project {
     [[nodiscard]] bool replaces_instantiations(const ir::CspBlock& block) const {
         return (block.name == "Instantiations" || block.name == "instantiations") && applies(block);
     }
-    /// Whether some block replaces them.
+    /// Whether some CSP block replaces the generated instantiations.
     [[nodiscard]] bool instantiations_replaced() const;
     /// Reports RC-C01 and names the unsupported construct.
     void refuse(const std::string& construct, diagnostics::Span span) const;

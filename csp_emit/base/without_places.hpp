@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Syntax trees without places: what goes wrong in them is reported where they are used.
+// Removes the spans from syntax trees, so that errors inside them are reported where the trees are used.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace robochart::csp_emit {
 
-/// The same declarations with unknown spans. An error of evaluation inside of them gets the place of the nearest caller
-/// that has one.
+/// Returns the same declarations with unknown spans. The evaluator reports an error inside them at the nearest caller
+/// with a known span.
 [[nodiscard]] std::vector<cspm::DeclPtr> without_places(const std::vector<cspm::DeclPtr>&);
 
 }  // namespace robochart::csp_emit

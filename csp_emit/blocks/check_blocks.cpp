@@ -28,7 +28,7 @@ using diagnostics::Span;
 using frontend::AssertionTime;
 using frontend::CspBlock;
 
-/// The texts of a unit, parsed and instantiated separately.
+/// A copy of the texts of one unit, which is parsed and instantiated separately.
 struct Copy {
     SourceManager sources;
     std::unique_ptr<frontend::Model> model;
@@ -37,7 +37,7 @@ struct Copy {
     bool good = false;
 };
 
-/// `blank`: the texts of CSP blocks are left out.
+/// `blank`: omit the texts of CSP blocks.
 Copy copy_of(const frontend::Model& model, const SourceManager& sources, const std::vector<std::size_t>& files,
              bool blank, diagnostics::Budget* budget) {
     Copy copy;
@@ -158,7 +158,7 @@ std::optional<Emission> emission_without_blocks(const frontend::Model& model, co
         if (!copy.good) return std::nullopt;
         Diagnostics found;
         found.within(budget);
-        // The findings are ignored: they concern claims about the blocks that were left out.
+        // the findings concern claims about the omitted blocks, so they are ignored
         return emit(copy.system, copy.instantiation, time, Options{}, copy.sources, found);
     }
     return std::nullopt;

@@ -11,9 +11,9 @@
 
 namespace robochart::csp_emit {
 
-/// Reports errors in the CSP blocks of a resolved model, at their places in its texts. Each unit of the model
-/// (frontend/project/units.hpp) is emitted with the generated instantiation, once for each semantics (untimed, timed)
-/// that a block applies to. If a unit has errors or no script, only the syntax of its blocks is checked.
+/// Reports errors in the CSP blocks of a resolved model, at their places in the model's texts. Emits each unit of the
+/// model (frontend/project/units.hpp) with the generated instantiation, once for each semantics (untimed, timed) to
+/// which one of its blocks applies. If a unit has errors or no script, checks only the syntax of its blocks.
 void check_blocks(const frontend::Model&, const diagnostics::SourceManager&, diagnostics::Diagnostics&);
 
 /// The script of an assertion file without its blocks, for the names that a block can use. No value if the model has

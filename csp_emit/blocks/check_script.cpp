@@ -24,7 +24,7 @@ cspm::ExprPtr placed(const cspm::ExprPtr& expr, diagnostics::Span span) {
     return std::make_shared<const cspm::Expr>(std::move(result));
 }
 
-/// The script, in which generated assertions have the places of their claims.
+/// Returns the script with the span of each claim in the assertions generated for it.
 cspm::Script with_places(const Emission& emission, const ir::System& system) {
     std::map<const cspm::Decl*, diagnostics::Span> places;
     for (const Obligation& obligation : emission.obligations) {

@@ -13,7 +13,7 @@ std::string in(const std::string& qualifier, const std::string& name) {
     return qualifier.empty() ? name : qualifier + "::" + name;
 }
 
-/// `channel e : InOut...`
+/// Whether the channel has a direction: `channel e : InOut...`.
 bool is_directed(const cspm::Decl& channel) {
     const cspm::Expr* type = channel.body.get();
     if (type != nullptr && type->kind == cspm::ExprKind::dot && !type->args.empty()) type = type->args.front().get();
@@ -28,7 +28,7 @@ ScriptNames::ScriptNames(const cspm::Script& script) {
     add(script.decls, "");
 }
 
-/// Blocks can use the exported names of a module, or all of its names if it exports none.
+/// Blocks can use the exported names of a module, or all names of a module without exports.
 void ScriptNames::add(const std::vector<cspm::DeclPtr>& decls, const std::string& qualifier) {
     for (const cspm::DeclPtr& decl : decls) {
         switch (decl->kind) {

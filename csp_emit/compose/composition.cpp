@@ -217,7 +217,7 @@ b::Exprs Definer::memory_sync() const {
     return result;
 }
 
-/// Propagation events, and the writes that the variant hides.
+/// The propagation events and the writes that this variant hides.
 ExprPtr Definer::hidden_writes(Writes shown) const {
     b::Exprs result;
     for (const SharedVariable& variable : c_.variables) {
@@ -284,8 +284,9 @@ void Definer::define() {
     const Writes optimised = c_.hides_termination ? Writes::none : Writes::provided;
     define("D__", variant(large(c_) ? "O__" : "D__", Writes::provided));
     define("VS__", variant("VS__", Writes::provided));
-    // A large controller on its own is not compressed, because its environment may write at any time. A module is: its
-    // other controllers restrict the writes, and the environment of a claim multiplies the remaining states.
+    // A large controller on its own is not compressed, because its environment may write at any time. A large module is
+    // compressed: its other controllers restrict the writes, and the environment of a claim multiplies the remaining
+    // states.
     define("O__", compressed(*c_.project, variant("O__", optimised), large(c_) && !c_.hides_termination));
     for (const char* name : {"FVS__", "FVS_C__"})
         if (c_.project->mentions(name)) define(name, variant(name, Writes::provided));

@@ -85,7 +85,7 @@ void ControllerEmitter::add_constants() {
     }
 }
 
-/// The instance that declares a constant: the machine, or the operation that it calls.
+/// The instance that declares a constant: the machine itself, or an operation that it calls.
 std::string ControllerEmitter::part_of(const std::string& instance, const ir::Machine& owner) const {
     for (std::size_t i = 0; i < controller().definitions.size(); ++i)
         if (&project().system.machine(controller().definitions[i]) == &owner)
@@ -95,7 +95,7 @@ std::string ControllerEmitter::part_of(const std::string& instance, const ir::Ma
 
 /// The controller's parameter for a machine's constant; added if it does not exist yet.
 std::string ControllerEmitter::constant_argument(const std::string& part, const ConstantParameter& constant) {
-    // If the controller is checked alone, constants that the platform provides become parameters of the controller.
+    // if the controller is checked alone, its own parameters replace constants of the platform
     const ir::Machine& owner = *constant.owner;
     const auto source =
         ir::constant_source(project().system, nullptr, &controller(), part_of(part, owner), owner, constant.id);
@@ -109,7 +109,8 @@ std::string ControllerEmitter::constant_argument(const std::string& part, const 
     return source.name;
 }
 
-/// Emits a machine in this controller: the controller defines its operations and provides what it requires.
+/// Emits a machine in this controller. The controller supplies the definitions of the machine's operations and the
+/// elements that the machine requires.
 ComponentEmission ControllerEmitter::emit_part(const ir::Machine& machine, const std::string& name,
                                                std::vector<DeclPtr>& decls) {
     MachineContext context;
@@ -131,8 +132,8 @@ ComponentEmission ControllerEmitter::emit_part(const ir::Machine& machine, const
                                                 owner, constant.id);
         const bool provided = source.constant != &owner.constants.at(constant.id.index);
         constant.source = source.name;
-        // RoboTool sets the part's constant to the machine's. If a CSP block defines only the part's constant, that one
-        // counts.
+        // RoboTool sets the part's constant to the machine's own. If a CSP block defines only the part's constant, the
+        // block's value applies.
         const auto given = [&](const std::string& each) {
             return context_.given != nullptr && context_.given->contains(each);
         };
@@ -165,8 +166,8 @@ void ControllerEmitter::add_part(const ir::MachineInstance& instance, std::vecto
     composition_.parts.push_back(std::move(part));
 }
 
-/// `C::OP_o`: an operation as a separate process, with the controller's definitions. Emitted only if an assertion or a
-/// CSP block mentions it.
+/// Emits `C::OP_o`, an operation as a separate process with the controller's definitions, if an assertion or a CSP
+/// block mentions it.
 void ControllerEmitter::add_operations(std::vector<DeclPtr>& decls) {
     for (std::size_t i = 0; i < controller().definitions.size(); ++i) {
         const ir::Machine& machine = project().system.machine(controller().definitions[i]);

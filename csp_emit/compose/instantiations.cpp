@@ -104,7 +104,7 @@ private:
     static bool calls_function(const ir::Expr& part) {
         return part.kind == ir::ExprKind::call || part.kind == ir::ExprKind::function_value;
     }
-    /// Results of functions are left for the script to compute, because the user may define the functions there.
+    /// Leaves results of functions for the script to compute, because the user may define the functions there.
     ExprPtr computed(const ir::Constant& constant, const ir::Machine* machine) const {
         Scope scope;
         scope.constant = [machine](ir::ConstantId id) {
@@ -149,7 +149,7 @@ void add_constants(const Project& project, std::vector<DeclPtr>& decls) {
             constants.add(ir::constant_name(module.package, module.name, constant.name), constant, nullptr);
 }
 
-/// A condition preceded by the preconditions of the functions that it calls.
+/// The preconditions of the functions that the condition calls, followed by the condition.
 b::Exprs with_preconditions(const Project& project, const ir::Expr& condition) {
     b::Exprs result = preconditions(project, {}, condition);
     result.push_back(expression(project, {}, condition));
@@ -187,7 +187,8 @@ ExprPtr searched(const Project& project, const ir::Function& function) {
 }
 
 /// Functions in RoboChart have contracts and no bodies. The generated body returns a value that satisfies the
-/// postcondition, or 0 or the first literal as in RoboTool; the user may override it.
+/// postcondition. Without a postcondition it returns 0 or the first literal, as RoboTool's body does. The user may
+/// override it.
 void add_functions(const Project& project, std::vector<DeclPtr>& decls) {
     for (const ir::Function& function : project.system.functions) {
         const bool specified = !function.postconditions.empty();
@@ -233,7 +234,7 @@ std::vector<DeclPtr> data_definitions(const Project& project) {
 
 namespace {
 
-/// The names at the top of the script, except those for records.
+/// The names that the script declares at its top, except those for records.
 std::set<std::string> names_at_top(const ir::System& system) {
     std::set<std::string> names;
     const auto component = [&](const auto& each) {

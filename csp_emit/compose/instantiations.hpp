@@ -8,13 +8,13 @@ namespace robochart::csp_emit {
 
 /// Enumerations and preconditions of functions, which users do not override.
 [[nodiscard]] std::vector<cspm::DeclPtr> data_definitions(const Project&);
-/// Definitions that CSP blocks use and no block declares: for a record T its carrier `P_T`, and for each of its fields
-/// `P_T_f(x)` and `update_P_T_f(x,v)`, which returns the record with another value of the field.
+/// Definitions that CSP blocks use and do not declare. For a record T these are its carrier `P_T`, and for each field f
+/// the functions `P_T_f(x)` and `update_P_T_f(x,v)`, which returns the record with another value of the field.
 [[nodiscard]] std::vector<cspm::DeclPtr> record_definitions(const Project&, const std::set<std::string>& declared);
 /// Carriers, constants, functions and clipped arithmetic; a CSP block named Instantiations replaces them.
 [[nodiscard]] std::vector<cspm::DeclPtr> instantiations(const Project&);
-/// `const_P_S_c` for the constant's own declaration; the name for the part if the instantiation gives the part another
-/// value.
+/// `const_P_S_c`, the machine's own constant; the name of the part's constant if the instantiation gives the part
+/// another value.
 [[nodiscard]] std::string default_constant(const Project&, const std::string& own, const std::string& part);
 
 }  // namespace robochart::csp_emit

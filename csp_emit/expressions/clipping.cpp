@@ -32,7 +32,7 @@ bool unchanged(const std::string& function, std::int64_t a, std::int64_t b, std:
     return a == 0;
 }
 
-/// A number of the script, with its unit if it counts fractions of a real.
+/// The text of a number in the script; for a real with a scale, as a fraction.
 std::string shown(const std::string& function, std::int64_t value, std::int64_t scale) {
     const bool real = scale != 1 && function.rfind("Real", 0) == 0;
     return real ? std::to_string(value) + "/" + std::to_string(scale) : std::to_string(value);

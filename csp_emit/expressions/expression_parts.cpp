@@ -84,7 +84,7 @@ ExprPtr Translator::block_literal(const ir::Expr& expr) const {
     return block_value(shape, args(expr));
 }
 
-/// Entry by entry: sums, differences, negation, products with a number.
+/// Arithmetic entry by entry: sums, differences, negation, products with a number.
 ExprPtr Translator::block_arithmetic(const ir::Expr& expr) const {
     const bool left_block = is_block(expr.args.at(0)->type);
     const bool binary = expr.args.size() > 1;
@@ -105,7 +105,7 @@ ExprPtr Translator::block_arithmetic(const ir::Expr& expr) const {
     return b::apply(b::lambda(patterns, block_value(shape, entries)), args(expr));
 }
 
-/// Rows times columns, sums from the left; the product of two vectors is the dot product.
+/// The product of two matrices, with sums from the left; the product of two vectors is the dot product.
 ExprPtr Translator::block_product(const ir::Expr& expr, const Block& left, const Block& right,
                                   ir::TypeId number) const {
     const bool dot = left.vector && right.vector;
@@ -198,7 +198,7 @@ ExprPtr Translator::replaced_field(const ir::Type& found, const ExprPtr& whole, 
     return b::apply(b::lambda({b::tuple_pattern(patterns)}, b::tuple(parts)), {whole});
 }
 
-/// The entry of a vector or matrix at the indices is replaced. The new entry is computed once; if the path continues
+/// Replaces the entry of a vector or matrix at the indices. The new entry is computed once. If the path continues
 /// inside the entry, only that part of it changes.
 ExprPtr Translator::replaced_entry(ir::TypeId id, const ExprPtr& whole, const b::Exprs& path, std::size_t from,
                                    const ExprPtr& value) const {
@@ -320,7 +320,7 @@ ExprPtr Translator::converted_tuple(const ExprPtr& value, const std::vector<ir::
     return b::apply(b::lambda({pattern_of(patterns)}, tuple_or_one(parts)), {value});
 }
 
-/// Converts element by element. A sequence that is used as a set becomes the set of its pairs of index and element.
+/// Converts each element. A sequence that is used as a set becomes the set of its pairs of index and element.
 ExprPtr Translator::converted_elements(const ExprPtr& value, const ir::Type& source, const ir::Type& target) const {
     const ExprPtr elem = b::name("elem__");
     if (source.kind == TypeKind::sequence && target.kind == TypeKind::sequence)

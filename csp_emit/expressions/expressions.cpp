@@ -61,7 +61,7 @@ ExprPtr Translator::as_type(const ir::Expr& expr, ir::TypeId wanted) const {
     return b::binary(Op::times, value, b::number(scale()));
 }
 
-/// Both operands in the same unit: if one operand is a real, the other is converted to a real.
+/// Compares both operands in the same unit: if one operand is a real, the other is converted to a real.
 ExprPtr Translator::comparison(const ir::Expr& expr, cspm::ExprKind op) const {
     const ir::Expr& left = *expr.args.at(0);
     const ir::Expr& right = *expr.args.at(1);

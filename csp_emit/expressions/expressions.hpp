@@ -10,7 +10,7 @@
 
 namespace robochart::csp_emit {
 
-/// The meaning of names in an expression at the place where it is emitted.
+/// The meaning of names at the place where an expression is emitted.
 struct Scope {
     std::function<cspm::ExprPtr(ir::VariableId)> variable;
     std::function<cspm::ExprPtr(ir::ConstantId)> constant;
@@ -26,13 +26,13 @@ struct Scope {
 /// The expression converted to another numeric type: integers become reals in units of 1/scale.
 [[nodiscard]] cspm::ExprPtr expression_as(const Project&, const Scope&, const ir::Expr&, ir::TypeId wanted);
 /// The value of an event, converted to the type of the variable that receives it. If the scale is not 1, a variable of
-/// whole numbers cannot receive a real: the reception is reported by name (RC-C01).
+/// whole numbers cannot receive a real, and the reception is rejected by name (RC-C01).
 [[nodiscard]] cspm::ExprPtr received_as(const Project&, const cspm::ExprPtr& value, ir::TypeId event,
                                         ir::TypeId variable, diagnostics::Span reception);
 /// Preconditions of all functions that the expression calls, for `pre &` (semantics 3.5); empty if there are none.
 [[nodiscard]] std::vector<cspm::ExprPtr> preconditions(const Project&, const Scope&, const ir::Expr&);
-/// The value `whole` of a type, in which `value` replaces one of its parts. The path leads to the part: the position of
-/// a field or of a tuple's part (a number, fields from 0), the index of a sequence or vector, two indices of a matrix.
+/// Returns the value `whole` with `value` in place of one part. `path` leads to the part. Its elements are positions of
+/// fields (numbers from 0) and of tuple parts, the index of a sequence or vector, and two indices of a matrix.
 [[nodiscard]] cspm::ExprPtr component(const Project&, ir::TypeId type, const cspm::ExprPtr& whole,
                                       const std::vector<cspm::ExprPtr>& path, const cspm::ExprPtr& value);
 /// CSPM name of a function of the model: `f`, or `P_f` in a package; its precondition is `pre_` followed by that name.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The class that implements expressions.hpp: one member function for each family of ir::ExprKind, in three sources.
-// Private to csp_emit. Names that its templates bind end in `__` and are reserved (names.cpp), so expressions inserted
-// into a template never contain them as free names.
+// The class that implements expressions.hpp, with one member function for each family of ir::ExprKind, in three
+// sources. Private to csp_emit. Its templates bind only names that end in `__`. These names are reserved (names.cpp),
+// so an expression inserted into a template never contains them as free names.
 #pragma once
 
 #include "checker/cspm/syntax/build.hpp"
@@ -17,10 +17,10 @@ public:
     cspm::ExprPtr translate(const ir::Expr& expr) const;
     cspm::ExprPtr as_type(const ir::Expr& expr, ir::TypeId wanted) const;
     cspm::build::Exprs preconditions(const ir::Expr& expr) const;
-    /// The value in which the part at `path[from..]` is replaced.
+    /// Returns `whole` with the part at `path[from..]` replaced by `value`.
     cspm::ExprPtr replaced(ir::TypeId type, const cspm::ExprPtr& whole, const cspm::build::Exprs& path,
                            std::size_t from, const cspm::ExprPtr& value) const;
-    /// Whether reals would become whole numbers, which not every real is.
+    /// Whether the conversion would turn reals into whole numbers, which is undefined for some reals.
     bool narrows(ir::TypeId from, ir::TypeId to) const;
     cspm::ExprPtr converted(const cspm::ExprPtr& value, ir::TypeId from, ir::TypeId to) const;
 

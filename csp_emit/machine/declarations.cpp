@@ -22,7 +22,7 @@ std::vector<std::string> parameters_with(const MachineTables& tables, const std:
     return result;
 }
 
-/// States and final states, whose `entered` is an event.
+/// The states and final states. Each has an event `entered`.
 std::vector<ir::NodeId> ModuleDeclarations::states() const {
     std::vector<ir::NodeId> result;
     for (std::uint32_t i = 0; i < tables_.machine().nodes.size(); ++i)
@@ -63,8 +63,7 @@ void ModuleDeclarations::declare_channels(std::vector<DeclPtr>& decls) {
     for (DeclPtr& channel : memory_channels(remembered_)) decls.push_back(std::move(channel));
 }
 
-/// RoboTool's channels that this encoding does not use, or that are internal, but that CSP blocks may name (semantics
-/// 3.2).
+/// Declares channels of RoboTool that this encoding does not use or hides, if CSP blocks mention them (semantics 3.2).
 void ModuleDeclarations::declare_mentioned(std::vector<DeclPtr>& decls) const {
     for (std::size_t i = 0; i < tables_.machine().variables.size(); ++i) {
         const ir::Variable& variable = tables_.machine().variables[i];
@@ -77,7 +76,7 @@ void ModuleDeclarations::declare_mentioned(std::vector<DeclPtr>& decls) const {
     }
 }
 
-/// Resets that are events, clocks that are read by events, and the values of clocks that CSP blocks name.
+/// Declares the resets that are events, the clocks that events read, and the values of clocks that CSP blocks mention.
 void ModuleDeclarations::declare_clocks(std::vector<DeclPtr>& decls) {
     if (!tables_.timed()) return;
     std::vector<cspm::Constructor> constructors;
@@ -129,7 +128,7 @@ void ModuleDeclarations::declare_states(std::vector<DeclPtr>& decls) {
         if (DeclPtr state = state_module(node)) decls.push_back(state);
 }
 
-/// `module S exports channel entered ... endmodule`, inner states inside.
+/// `module S exports channel entered ... endmodule`, with the modules of inner states inside.
 DeclPtr ModuleDeclarations::state_module(ir::NodeId id) {
     const ir::Node& node = tables_.machine().nodes[id.index];
     if (node.kind != NodeKind::state && node.kind != NodeKind::final) return nullptr;
@@ -162,7 +161,7 @@ void ModuleDeclarations::declare_sets(std::vector<DeclPtr>& decls) {
     decls.push_back(b::value("internal_events", b::productions(tables_.events.channels())));
 }
 
-/// D__, O__, VS__, VS_O__, FVS__, HEXT__, HUP__ (semantics 3.12).
+/// Declares D__, O__, VS__, VS_O__, FVS__, HEXT__ and HUP__ (semantics 3.12).
 void ModuleDeclarations::declare_variants(std::vector<DeclPtr>& decls, const ExprPtr& initial) const {
     std::vector<std::string> constants;
     for (const ConstantParameter& constant : tables_.calls.constants()) constants.push_back(constant.parameter);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machine's module: RoboTool's channels, event sets and process variants (semantics 3.2, 3.12) around the functions
-// of the points.
+// Builds the machine's module: RoboTool's channels, event sets and process variants (semantics 3.2, 3.12) around the
+// functions of the points.
 #pragma once
 
 #include <string>
@@ -18,11 +18,11 @@ namespace robochart::csp_emit {
 /// alphabet.
 class ModuleDeclarations {
 public:
-    /// `remembered`: the variables that have memory processes.
+    /// `remembered` contains the variables that have memory processes.
     ModuleDeclarations(MachineTables& tables, const std::vector<Remembered>& remembered)
         : tables_(tables), remembered_(remembered) {}
 
-    /// The module around the definitions of the points. `initial` is the machine's process.
+    /// Returns the module with the definitions of the points. `initial` is the machine's process.
     [[nodiscard]] cspm::DeclPtr module(const std::vector<cspm::DeclPtr>& points, const cspm::ExprPtr& initial);
     /// Channels of `sem__events`; valid after `module`.
     [[nodiscard]] const std::vector<std::string>& visible() const { return visible_; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A machine that runs on its own, in a controller, and in that controller within a module has the same module of the
-// script in each place, except for its name. It is emitted once and renamed. If other operations are defined in a
-// place, the machine is emitted again.
+// Emits a machine. A machine may run on its own, in a controller, and in that controller within a module. If its
+// operations have the same definitions in these places, its module is emitted once and renamed for the others; if not,
+// it is emitted again.
 #include "csp_emit/machine/machine.hpp"
 
 #include "csp_emit/machine/machine_module.hpp"
@@ -16,7 +16,7 @@ std::string key_of(const MachineContext& context) {
     return result;
 }
 
-/// The name in which the new path replaces the old one, at the beginning of the name and after the channel of an event
+/// Replaces the old path in a name by the new one, at the beginning of the name and after the channel of an event
 /// (emit.hpp: Provenance).
 std::string moved(const std::string& name, const std::string& from, const std::string& to) {
     const std::string before = from + "::";
@@ -49,7 +49,7 @@ cspm::DeclPtr renamed(const cspm::DeclPtr& module, const std::string& name) {
 }  // namespace
 
 ComponentEmission emit_machine(MachineContext context, Emitted& emitted) {
-    // the copy that an assertion watches occurs only once
+    // a copy that an assertion watches is unique
     if (context.copied()) return machine_module(std::move(context), emitted);
     const std::string path = context.path;
     const std::string name = context.name;

@@ -33,8 +33,8 @@ void add_weights(const Frame& frame, ir::NodeId junction, const ParameterTable& 
     }
 }
 
-/// For each point: the parameters that it must keep because a machine or operation in it is at a probabilistic
-/// junction.
+/// For each point, the parameters that it must keep because a machine or operation is at a probabilistic junction
+/// there.
 std::vector<std::vector<std::string>> weights_read(const MachineTables& tables) {
     std::vector<std::vector<std::string>> result;
     for (const Point& point : tables.points.all()) {
@@ -66,7 +66,7 @@ Candidates parameter_candidates(const MachineTables& tables) {
     return result;
 }
 
-/// For arguments that are never read: the values that lead to the fewest states.
+/// Values for arguments that are never read, chosen so that the process has few states.
 std::map<std::string, ExprPtr> placeholder_values(MachineTables& tables) {
     std::map<std::string, ExprPtr> result;
     for (const ConstantParameter& constant : tables.calls.constants())
@@ -91,7 +91,7 @@ void check_initial(const std::vector<std::string>& needed, const std::vector<std
             throw std::logic_error("csp_emit: parameter " + name + " has no value");
 }
 
-/// By function: its parameters.
+/// The parameters of each function.
 using Parameters = std::vector<std::vector<std::string>>;
 
 Parameters parameters_of(const std::vector<Function>& functions) {

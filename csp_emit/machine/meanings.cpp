@@ -107,7 +107,7 @@ std::vector<DefinitionMeanings::Offer> DefinitionMeanings::offers(const View& no
     return result;
 }
 
-/// For a transition with a trigger: its input.
+/// The input of a transition with a trigger.
 DefinitionMeanings::Offer DefinitionMeanings::offer(const RunningMachine& running, ir::TransitionId id) {
     const std::uint32_t frame = running.activation->frame;
     const ir::Machine& owner = *tables_.frames[frame].machine;
@@ -121,7 +121,7 @@ DefinitionMeanings::Offer DefinitionMeanings::offer(const RunningMachine& runnin
     return known;
 }
 
-/// For a statement with its own event: a communication, a call that leaves the machine, a write.
+/// The event of a statement: a communication, a call that leaves the machine, a write.
 DefinitionMeanings::Offer DefinitionMeanings::offer(const RunningThread& running) {
     const Item& item = running.head();
     const Frame& frame = tables_.frames[running.frame()];

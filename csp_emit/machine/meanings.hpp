@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the definitions of a machine mean in the model: the active states, the content of each parameter, and the
-// transition or statement that causes each event offered by the configuration.
+// Describes the definitions of a machine in terms of the model: the active states, the content of each parameter, and
+// the transition or statement that causes each event offered by the configuration.
 #pragma once
 
 #include <map>

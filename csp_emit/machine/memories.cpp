@@ -53,7 +53,7 @@ double estimate(const std::vector<Function>& functions, const Evaluations& evalu
     return sum;
 }
 
-/// The variables of the machine, own and shared, those with the largest types first.
+/// The machine's variables, own and shared, sorted by the size of their types, largest first.
 std::vector<CellId> by_size(const MachineTables& tables) {
     const ParameterTable& cells = tables.cells;
     std::vector<CellId> result;

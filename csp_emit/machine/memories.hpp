@@ -9,8 +9,8 @@
 
 namespace robochart::csp_emit {
 
-/// Returns the largest variables, as few as needed to keep the process with the others as parameters small enough
-/// (Options::states_of_a_process).
+/// Returns the largest variables, as few as possible, so that the process whose parameters are the other variables
+/// stays small enough (Options::states_of_a_process).
 [[nodiscard]] std::vector<Remembered> choose_memories(MachineTables&, const std::vector<Function>& functions);
 
 }  // namespace robochart::csp_emit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The work list of points, and the conversion of the rules' results to processes.
+// Processes the work list of points and converts the rules' results to processes.
 #include "csp_emit/machine/processes.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ ExprPtr without_body(const MachineTables& tables) {
     return tables.machine().terminates ? skip : b::internal_choice({skip, stop});
 }
 
-/// Parameters of a standalone operation keep the values that the caller passes.
+/// Initial values; parameters of a standalone operation keep the values that the caller passes.
 Values initial_values(MachineTables& tables) {
     Values result;
     const Frame& root = tables.frames.root();
@@ -99,8 +99,8 @@ bool Processes::returns(const Activation& config) const {
     return config.frame != 0 && is_final(tables_, config);
 }
 
-/// The process in this configuration with these values: executes what needs no event, then calls the function of the
-/// resulting point.
+/// The process in this configuration with these values: executes all steps that need no event, then calls the function
+/// of the resulting point.
 ExprPtr Processes::at(const Activation& config, const Values& values) {
     if (tables_.points.overflow()) return b::stop();  // reported already
     if (run_ >= max_run) return point(config, values);
@@ -149,7 +149,7 @@ ExprPtr Processes::of(const Next& next) {
         case Next::Kind::interval: {
             cspm::Expr chosen = *b::replicated(cspm::ExprKind::replicated_internal, {b::generator("d__", next.expr)},
                                                of(next.parts.at(0)));
-            chosen.span = next.span;  // the place at which an empty interval is reported
+            chosen.span = next.span;  // the place where an empty interval is reported
             return std::make_shared<const cspm::Expr>(std::move(chosen));
         }
         case Next::Kind::process:
@@ -208,7 +208,7 @@ ExprPtr Processes::behind(const Continuation& continuation) {
     return at(continuation.config, tables_.sharing.behind(continuation));
 }
 
-/// The value of a clock of the caller is read first; until then no guard is evaluated (clocks_needed).
+/// A clock of the caller is read before any guard is evaluated (clocks_needed).
 std::vector<ExprPtr> Processes::reading_branches(const Activation& config, const View& now, CellId clock) {
     std::vector<ExprPtr> result;
     Activation next = config;

@@ -15,16 +15,16 @@
 
 namespace robochart::csp_emit {
 
-/// Its only state is the depth of the current recursion.
+/// The only state of the object is the depth of the current recursion.
 class Processes {
 public:
     explicit Processes(MachineTables&);
 
     /// The machine's process at its start.
     [[nodiscard]] cspm::ExprPtr initial();
-    /// The functions of all points reachable from the initial one, in order, then those that continue after shared
-    /// calls. Points and return points are found while bodies are made. Calls between the functions are sparse
-    /// (liveness.hpp).
+    /// The functions of all points reachable from the initial one, in order, then the functions that continue after
+    /// shared calls. The body of one function may add further points and return points. Calls between the functions are
+    /// sparse (liveness.hpp).
     [[nodiscard]] std::vector<Function> all();
 
 private:

@@ -21,7 +21,7 @@ bool mentions(const Expr& expr, const std::string& name) {
     return found;
 }
 
-/// `c -> P`, or `c?x -> P` if P does not use x.
+/// Whether the branch is `c -> P`, or `c?x -> P` with a P that does not use x.
 bool only_event_matters(const Expr& branch) {
     if (branch.kind != ExprKind::prefix || branch.args[0]->kind != ExprKind::name) return false;
     if (branch.fields.empty()) return true;
@@ -63,7 +63,7 @@ private:
         return b::choice(result);
     }
 
-    /// The events of branch `first` and of later branches with the same continuation, which are removed.
+    /// The events of branch `first` and of later branches with the same continuation. Removes the later branches.
     static b::Exprs alike(b::Exprs& branches, std::size_t first) {
         const ExprPtr& model = branches[first];
         b::Exprs result{model->args[0]};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Merges branches of a choice that differ only in their events, such as external writes whose values are never read, or
 // the passing of time if nothing counts it. `a?x -> P [] b?x -> P [] tock -> P` becomes `[] e__ : {| a, b, tock |} @
-// e__ -> P`, the same process in less text.
+// e__ -> P`, which is the same process in less text.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct NamedSet {
     cspm::ExprPtr events;
 };
 
-/// Rewrites the bodies. `known` contains sets that already have names; sets that get a name are appended to it.
+/// Rewrites the bodies. `known` contains the sets that already have names; the function appends each set that it names.
 void gather_alike_branches(std::vector<Function>& functions, NameManager& names, std::vector<NamedSet>& known);
 
 }  // namespace robochart::csp_emit

@@ -142,7 +142,7 @@ const Expr* Family::ticking(std::size_t parameter) const {
     return found == candidates_.ticking.end() ? nullptr : found->second.get();
 }
 
-/// The parameters that the caller needs to pass this parameter.
+/// The parameters that the caller must have in order to pass this parameter.
 const Names& Family::passed(const Call& call, std::size_t parameter, Names& kept) const {
     if (const auto found = call.given.find(parameter); found != call.given.end()) return found->second;
     const Expr* counting = call.after_tock ? ticking(parameter) : nullptr;
@@ -169,7 +169,8 @@ void Family::spread() {
     }
 }
 
-/// The caller needs what is live in the called function, or live after it and not overwritten before.
+/// The caller needs the parameters that are live in the called function. It also needs those that are live after the
+/// call and not overwritten before.
 void Family::spread(const Call& call, std::size_t parameter) {
     if (live_[call.target].count(parameter) == 0) return;
     const bool returns = returning_.count(call.target) != 0;
@@ -179,7 +180,7 @@ void Family::spread(const Call& call, std::size_t parameter) {
     Names kept;
     const Names& names = passed(call, parameter, kept);
     mark(live_, call.caller, names);
-    // Expressions for a changed parameter are evaluated here, before the operation returns, even if the parameter is
+    // The caller evaluates an expression for a changed parameter before the operation returns, even if the parameter is
     // read only later.
     const bool given = call.given.count(parameter) != 0;
     if (within || given) mark(within_, call.caller, names);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which parameters the functions of a family need. Calls are first written with only those arguments that differ from
-// the caller's values; a backward analysis along the calls then finds the live parameters. A variable that will be
-// overwritten before it is read, or a clock that will be reset, is not a parameter: the processes stay equivalent and
-// have fewer states.
+// Finds the parameters that the functions of a family need. Calls are first written with only those arguments that
+// differ from the caller's values. A backward analysis along the calls then finds the live parameters. A variable that
+// will be overwritten before it is read, or a clock that will be reset, is not live. Without dead parameters the
+// processes stay equivalent and have fewer states.
 #pragma once
 
 #include <map>
@@ -62,11 +62,11 @@ struct SparseCall {
     bool after_tock = false;  ///< parameters that count time advance
 };
 
-/// The calls within a family before the parameters of its functions are known, and placeholders for unneeded arguments.
+/// The calls within a family whose functions do not have their parameters yet, and placeholders for unneeded arguments.
 /// In the trees each call is a node, identified by its address.
 class FamilyCalls {
 public:
-    /// The node for a call.
+    /// Records a call and returns its node.
     [[nodiscard]] cspm::ExprPtr add(std::string function, Arguments changed = {}, bool after_tock = false);
     /// The call that the node represents; null for other nodes.
     [[nodiscard]] const SparseCall* find(const cspm::Expr&) const;
@@ -104,8 +104,8 @@ struct Candidates {
     std::map<const cspm::Expr*, Entry> entries;
 };
 
-/// Gives every function its live parameters, and arguments for them to every call of `calls`, including those in
-/// `initial`. Parameters that `initial` needs without a given value remain as free names in it; returns these names.
+/// Gives every function its live parameters, and every call of `calls`, including those in `initial`, arguments for
+/// them. A live parameter without a value in `initial` remains as a free name in it; returns these names.
 [[nodiscard]] std::vector<std::string> find_parameters(std::vector<Function>& functions, cspm::ExprPtr& initial,
                                                        const FamilyCalls& calls, const Candidates&);
 /// Replaces the unneeded arguments of all calls by arbitrary values, given for each parameter.

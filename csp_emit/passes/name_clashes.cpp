@@ -24,17 +24,17 @@ cspm::NewNames new_names_of_ours(const UserNames& theirs, const std::vector<Decl
 
 namespace {
 
-/// RoboTool's channels and types in the library; declaring them in a block is a second declaration.
+/// Whether the name is a channel or type of RoboTool in the library, which a block must not declare again.
 bool is_shared(const std::string& name) {
     return name == "InOut" || name == "in" || name == "out" || name == "tock" || name == "tock'";
 }
 
-/// Whether a block's declaration with this name would hide one of CSPM or of the library.
+/// Whether a block's declaration with this name would hide a declaration of CSPM or of the library.
 bool means_ours(const std::string& name) {
     return is_predefined(name) || (library_names().contains(name) && !is_shared(name));
 }
 
-/// Whether the instantiations define the model's element with this name.
+/// Whether the instantiations define an element of the model with this name.
 bool defines(const std::set<std::string>& given, const std::string& name) {
     return given.contains(name) && !is_shared(name);
 }
@@ -76,7 +76,8 @@ public:
     }
 
 private:
-    /// Names that are the same in all files: the model's elements, and the declarations of the instantiations.
+    /// Chooses names that are the same in all files: for the model's elements, and for the declarations of the
+    /// instantiations.
     void choose_common() {
         for (const auto& [before, after] : of_model_.data)
             if (defines(given_, before) || !is_reserved(before)) common_.emplace(before, after);
@@ -100,8 +101,8 @@ class Capture {
 public:
     std::set<std::string> found;
 
-    /// The top of the script. No declaration there may have a predefined name; the names of the library are declared
-    /// there.
+    /// Visits the declarations at the top of the script. Predefined names are forbidden there; the names of the library
+    /// are declared there.
     void top(const std::vector<DeclPtr>& decls) {
         for (const DeclPtr& each : decls) {
             for (const std::string& name : names_of(*each))

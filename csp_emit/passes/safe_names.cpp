@@ -77,7 +77,7 @@ void visit_elements(const ir::System& system, const Visit& visit) {
     Elements<Visit>(visit).system(system);
 }
 
-/// Channels other than the events: `opCall`, `set_x`, `set_EXT_x` (semantics 3.2).
+/// The channels other than those of events: `opCall`, `set_x`, `set_EXT_x` (semantics 3.2).
 std::set<std::string> other_channels(const ir::System& system) {
     std::set<std::string> result;
     const auto add = [&](const auto& component) {
@@ -96,7 +96,7 @@ std::set<std::string> other_channels(const ir::System& system) {
 struct NewNames {
     std::map<std::string, std::string> all, states, operations;
     std::vector<std::string> types, functions;
-    std::vector<std::string> machines;             ///< of machines with the same full name, all except the first
+    std::vector<std::string> machines;             ///< of every machine except the first with the same full name
     std::vector<std::vector<std::string>> labels;  ///< for each type, the names of its literals; empty: unchanged
     NamesForBlocks for_blocks;
 
@@ -168,7 +168,7 @@ public:
     }
 
 private:
-    /// Types or functions whose names begin with the new names of their packages.
+    /// The types or functions, with the new names of their packages.
     template <class Data>
     std::vector<Data> with_packages(std::vector<Data> all) {
         for (Data& data : all) {
@@ -181,7 +181,7 @@ private:
         return all;
     }
 
-    /// The types with other labels for literals that have the name of a bound variable.
+    /// The types, with other labels for literals that share their name with a bound variable.
     std::vector<ir::Type> with_labels(std::vector<ir::Type> types) {
         for (ir::Type& type : types) {
             names_.labels.emplace_back();
@@ -207,7 +207,8 @@ private:
         for (const std::string& name : names_of(data)) taken_.insert(name);
     }
 
-    /// The rule that forbids this name for a type or function because it has another meaning; null if there is none.
+    /// The rule against this name for a type or function, which has another meaning in the script; null if there is
+    /// none.
     template <class Data>
     [[nodiscard]] const diagnostics::Rule* clash(const Data& data) const {
         const auto names = names_of(data);
@@ -240,7 +241,7 @@ private:
             for (const std::string& name : names_of(renamed)) data_.insert(name);
         }
     }
-    /// If several machines have the same full name, a reference means the first (RC-N03); the others get a number.
+    /// If several machines have the same full name, a reference denotes the first (RC-N03). The others get a number.
     void choose_machines(const ir::System& system) {
         std::set<std::string> known;
         for (const ir::Machine& machine : system.machines) {
@@ -285,7 +286,7 @@ private:
         diagnostics_.report(rule, span, {name, chosen});
     }
 
-    /// The text before the number; identifiers of CSPM begin with a letter.
+    /// The new name without its number; identifiers of CSPM begin with a letter.
     static std::string stem(const std::string& name) {
         const auto letter =
             std::ranges::find_if(name, [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
@@ -344,7 +345,7 @@ private:
         const auto found = names_.all.find(flatten(text));
         if (!text.empty() && found != names_.all.end()) text = found->second;
     }
-    /// `A::B::C`, segment by segment.
+    /// Renames `A::B::C`, segment by segment.
     static void path(std::string& text, const Names& first, const Names& behind) {
         std::string result;
         for (std::size_t at = 0; at <= text.size();) {

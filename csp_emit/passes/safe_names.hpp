@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of the model that CSPM cannot use: its keywords, predefined and library functions that the script would confuse
-// with the element, and names that two elements would share in the script. Such elements get a number after their name,
-// everywhere in the model.
+// Renames elements of the model whose names CSPM cannot use: its keywords, predefined and library functions that the
+// script would confuse with the element, and names that two elements would share in the script. Such an element gets a
+// number after its name, everywhere in the model.
 #pragma once
 
 #include "checker/cspm/syntax/rename.hpp"

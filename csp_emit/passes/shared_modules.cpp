@@ -25,7 +25,7 @@ using cspm::ExprKind;
 
 namespace {
 
-/// Below this size (cspm::Fingerprint) an instance is not worth the indirection.
+/// Below this size (cspm::Fingerprint) an instance does not shorten the script enough.
 constexpr std::size_t worth_sharing = 250;
 
 /// Positions in nested lists of exported declarations.
@@ -148,7 +148,7 @@ private:
         return depth;
     }
 
-    /// Whether all names have the same meaning in the place of the shared module.
+    /// Whether all names have the same meaning at the place of the shared module.
     static bool movable(const std::vector<Place>& places) {
         std::set<std::string> outside;
         used_names(*places.front().module, outside);

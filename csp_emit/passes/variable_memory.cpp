@@ -83,7 +83,7 @@ ExprPtr Memories::rewritten(const ExprPtr& expr, const Place& place) const {
     return with_parts(expr, [&](const ExprPtr& part) { return rewritten(part, place); });
 }
 
-/// Writes first, then reads, then the call.
+/// Returns the writes, followed by the reads, followed by the call.
 ExprPtr Memories::rewritten_call(const Expr& expr, std::size_t target, const Place& place) const {
     b::Exprs arguments;
     std::vector<const Remembered*> reads;

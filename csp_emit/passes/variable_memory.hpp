@@ -29,12 +29,12 @@ struct Remembered {
     std::string meaning;  ///< its name in the model
 };
 
-/// For some parameters, which of them each function evaluates, directly or in arguments that it passes.
+/// For the given parameters, the functions that evaluate them, directly or in arguments that they pass.
 class Evaluations {
 public:
     Evaluations(const std::vector<Function>& functions, const std::set<std::string>& parameters);
-    /// For each function the remembered variables that it holds. These are the least sets, since the variables that a
-    /// call needs for a changed shared variable count only if the called function holds it.
+    /// For each function, the remembered variables that it holds. The sets are the least ones: a call that changes a
+    /// shared variable needs further variables only if the called function holds the shared variable.
     [[nodiscard]] std::vector<std::set<std::string>> held(const std::vector<Remembered>& variables) const;
 
 private:
@@ -65,11 +65,11 @@ private:
 void remember(std::vector<Function>& functions, cspm::ExprPtr& initial, const FamilyCalls& calls,
               const std::vector<Remembered>& variables);
 
-/// The memories' definitions: `M_x(v) = get_x!v -> M_x(v) [] setL_x?v -> M_x(v) [] ... [] end__ -> SKIP`.
+/// Returns the definitions of the memories: `M_x(v) = get_x!v -> M_x(v) [] setL_x?v -> M_x(v) [] ... [] end__ -> SKIP`.
 [[nodiscard]] std::vector<cspm::DeclPtr> memory_definitions(const std::vector<Remembered>& variables, bool timed);
 /// `channel get_x, setL_x : T` for each variable, and `end__`.
 [[nodiscard]] std::vector<cspm::DeclPtr> memory_channels(const std::vector<Remembered>& variables);
-/// The machine's process in parallel with its memories, whose events only the machine uses.
+/// The machine's process in parallel with its memories. Only the machine uses the memories' events.
 [[nodiscard]] cspm::ExprPtr with_memories(const cspm::ExprPtr& machine, const std::vector<Remembered>& variables,
                                           bool timed);
 

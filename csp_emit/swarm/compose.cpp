@@ -69,7 +69,7 @@ public:
           instantiation_(instantiation),
           diagnostics_(diagnostics) {}
 
-    /// "" with a diagnostic if something does not fit.
+    /// Returns the module's text; "" with a diagnostic if an element of the swarm does not match the component.
     std::string text() {
         component_ = component_named(emission_, swarm_.component.text);
         if (component_ == nullptr) {
@@ -88,7 +88,7 @@ public:
         return whole();
     }
 
-    /// How to find the robot that performs an event of the module.
+    /// Describes how to find the robot that performs an event of the module.
     [[nodiscard]] CopiesMeaning copies() const {
         CopiesMeaning result{swarm_.robots, "robot", {}};
         const auto add = [&](const std::string& channel, const std::string& words) {
@@ -117,7 +117,7 @@ private:
     }
     void unfit(const Word& word, const std::string& why) { diagnostics_.report(swarm_rules::no_fit, word.span, {why}); }
 
-    /// The port for a name, whose channel ends in `ending`; null with a diagnostic if there is none.
+    /// The port with this name whose channel ends in `ending`; null with a diagnostic if there is none.
     const Port* port(const Word& word, const std::string& ending, const char* what) {
         if (const auto found = ports_.find(word.text + ending); found != ports_.end()) return &found->second;
         std::vector<std::string> known;
@@ -126,7 +126,7 @@ private:
         unknown(swarm_.component.text, what, word, known);
         return nullptr;
     }
-    /// The channel for an operation, shared by everything that is bound to it.
+    /// The channel for an operation, which all uses of the operation in the swarm share.
     std::string operation(const Word& word) {
         const auto known = operations_.find(word.text);
         if (known != operations_.end()) return known->second;
@@ -308,7 +308,7 @@ private:
         return "";
     }
 
-    /// Ports that are not bound: outputs and calls are possible at any time, inputs never arrive.
+    /// Handles ports that are not bound: outputs and calls are possible at any time, inputs never arrive.
     void rest() {
         std::vector<std::string> never;
         for (const auto& [name, port] : ports_) {
@@ -509,7 +509,7 @@ private:
         return text + bodies() + pairs() + phases() + (away() ? way() : "");
     }
 
-    /// m__: 0 standing, 1 driving, 2 turning until the next time unit has passed.
+    /// The process of a robot's body. m__: 0 standing, 1 driving, 2 turning until the next time unit has passed.
     [[nodiscard]] std::string bodies() const {
         std::string text = "Body(i__,h__,m__) =\n";
         for (const auto& [channel, motion] : driven_) {
@@ -538,7 +538,7 @@ private:
         return text + fmt::format("Bodies = || i__ : Robots @ [ {} ] Start(i__)\n", alphabet);
     }
 
-    /// For robots i__ < j__: the position of j__ relative to i__.
+    /// The process for robots i__ < j__ that stores the position of j__ relative to i__.
     [[nodiscard]] std::string pairs() const {
         if (swarm_.robots == 1) return "";
         std::string text =
@@ -596,7 +596,7 @@ private:
                "else Still\n";
     }
 
-    /// The position of robot 0.
+    /// The process that stores the position of robot 0.
     [[nodiscard]] std::string way() const {
         std::string text =
             "Way(x__,y__) = go.0?h__ -> Way(column(x__+chosen(along_x,h__)),row(y__+chosen(along_y,h__)))\n";
@@ -748,7 +748,7 @@ Obligation obligation_of(const Swarm& swarm, const SwarmClaim& claim, std::size_
     return result;
 }
 
-/// The assertion preceded by the claim, as reports print it.
+/// The assertion with the claim as a comment above it, as reports print it.
 cspm::DeclPtr named(const cspm::DeclPtr& assertion, const std::string& title) {
     cspm::Decl result = *assertion;
     result.comment = diagnostics::shown(title);

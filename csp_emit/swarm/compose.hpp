@@ -21,8 +21,9 @@
 
 namespace robochart::csp_emit {
 
-/// Replaces the assertions of the emission by the claims of the swarm: the script then consists of the definitions, the
-/// swarm's module and its assertions. Elements that the component lacks, or values that its types lack, are reported.
+/// Replaces the assertions of the emission by the claims of the swarm. The script then consists of the definitions, the
+/// swarm's module and its assertions. Reports elements that the component does not have, and values that its types do
+/// not have.
 void make_swarm(Emission& emission, const Swarm& swarm, Time time, const ir::System& system,
                 const ir::Instantiation& instantiation, diagnostics::SourceManager& sources,
                 diagnostics::Diagnostics& diagnostics);

@@ -79,7 +79,7 @@ std::string Observation::text(const SwarmCondition& condition) const {
     return "";
 }
 
-/// Splits in halves, so that the depth of the expression grows with the logarithm of the number of parts.
+/// Splits the parts in halves, so that the depth of the expression grows with the logarithm of the number of parts.
 std::string Observation::chain(std::span<const SwarmCondition> parts, const char* word) const {
     if (parts.size() == 1) return text(parts.front());
     const std::size_t half = parts.size() / 2;

@@ -18,9 +18,9 @@ public:
     Observation(const SwarmCondition& condition, std::string channel);
 
     [[nodiscard]] const std::string& channel() const { return channel_; }
-    /// Whether the condition has such a part.
+    /// Whether the condition has an atom of this kind.
     [[nodiscard]] bool asks(SwarmCondition::Kind kind) const;
-    /// Whether it has a part about pairs.
+    /// Whether the condition has an atom about pairs of robots.
     [[nodiscard]] bool asks_pairs() const;
     [[nodiscard]] std::string channel_declaration() const;
     /// The event in which the pair i__, j__ at offset x__, y__ takes part.

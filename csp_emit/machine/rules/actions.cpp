@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The effects of the first items of threads, without an event or with one.
+// Executes the first item of a thread's program, with or without an event.
 #include "csp_emit/machine/rules/actions.hpp"
 
 #include <algorithm>
@@ -29,12 +29,12 @@ Item statement(const ir::StmtPtr& stmt, const std::string& label) {
     return item;
 }
 
-/// The result of executing the statement, with these changed values.
+/// The configuration after the statement, with these changed values.
 Next done(const RunningThread& running, Values values) {
     return go(running.replace(running.tail()), std::move(values));
 }
 
-/// Resets the clock, in the cell that counts it if this machine does.
+/// Resets the clock if this machine counts it in a cell.
 void reset(const MachineTables& tables, std::uint32_t index, ir::ClockId clock, Values& values) {
     const Frame& frame = tables.frames[index];
     tables.watch.note_reset(frame, clock, values);
@@ -42,7 +42,7 @@ void reset(const MachineTables& tables, std::uint32_t index, ir::ClockId clock, 
     if (tables.timed() && cell && tables.cells[*cell].reading.empty()) values[*cell] = b::number(0);
 }
 
-/// `S <{d}`: a counter that runs in parallel with the statement and ends with it.
+/// `S <{d}`: a counter that runs in parallel with the statement S and ends with it.
 Next start_deadline(MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt, const Program& rest,
                     const Values& values) {
     const Item inner = statement(stmt.body.at(0), running.head().label);
@@ -68,7 +68,7 @@ Next choose(const MachineTables& tables, const RunningThread& running, const ir:
              go(running.replace(other), values)}};
 }
 
-/// The effect of the first statement, ignoring preconditions of the functions that it uses.
+/// The effect of the first statement, without the preconditions of the functions that it uses.
 Next effect(MachineTables& tables, const RunningThread& running, const Values& values) {
     const ir::Stmt& stmt = *running.head().stmt;
     const Program& rest = running.tail();
@@ -106,7 +106,7 @@ Next effect(MachineTables& tables, const RunningThread& running, const Values& v
     return done(running, values);
 }
 
-/// The effect of the first statement, which is not an event of the alphabet, and the continuation.
+/// The effect of the first statement if it is not an event of the alphabet, followed by the continuation.
 Next perform(MachineTables& tables, const RunningThread& running, const Values& values) {
     Next then = effect(tables, running, values);
     const b::Exprs conditions = function_preconditions(tables, running.frame(), *running.head().stmt, values);
@@ -146,7 +146,7 @@ std::optional<Next> silent_head(MachineTables& tables, const RunningThread& runn
         case ItemKind::enter:
             return enter(tables, running, values);
         case ItemKind::entered:
-            // States of called operations are not visible outside.
+            // the environment does not see states of called operations
             if (running.frame() != 0) return entered(tables, running, values);
             return std::nullopt;
         case ItemKind::store: {
@@ -165,8 +165,8 @@ std::optional<Next> silent_head(MachineTables& tables, const RunningThread& runn
     return std::nullopt;
 }
 
-/// The values that the statement reads, in the order in which its channel carries them: the assigned or sent value, or
-/// the arguments of a call.
+/// The values that the statement reads, in the order of the fields of its channel: the assigned or sent value, or the
+/// arguments of a call.
 b::Exprs values_read(const MachineTables& tables, std::uint32_t index, const ir::Stmt& stmt) {
     const Frame& frame = tables.frames[index];
     b::Exprs result;
@@ -242,7 +242,7 @@ Branch write(MachineTables& tables, const RunningThread& running, CellId id, con
     return {nullptr, tables.events.step("store " + cell.name, meaning), {}, std::move(next)};
 }
 
-/// The event of a statement that sends, calls or writes, with the values read before.
+/// The event of a statement that sends, calls or writes; its fields are the values read before.
 Branch event_of(MachineTables& tables, const RunningThread& running, const b::Exprs& values) {
     const ir::Stmt& stmt = *running.head().stmt;
     if (stmt.kind == StmtKind::communicate) return sending(tables, running, stmt, values);

@@ -11,14 +11,14 @@
 
 namespace robochart::csp_emit {
 
-/// The continuation: a configuration, or a choice between several that is made without an event.
+/// The continuation: a configuration, or a choice between several configurations that needs no event.
 struct Next {
     enum class Kind {
-        configuration,  ///< continues at once with what needs no event
-        point,          ///< the configuration as it is, with its own function
+        configuration,  ///< a configuration: continues at once with steps that need no event
+        point,          ///< a configuration: calls its function
         conditional,    ///< two parts, selected by a condition on the values
-        branching,      ///< the same, for a statement: a second one after it gets its own function
-        wait_over,      ///< the same, for a wait that may be over: the points of the second part are numbered first
+        branching,      ///< the same for a statement; a second conditional after it gets its own function
+        wait_over,      ///< the same for a wait that may be over; the points of the second part are numbered first
         internal,       ///< the process chooses between the parts
         interval,       ///< the process chooses a value of `d__` from a set, which may be empty
         process,        ///< not a configuration of the machine but the process `expr`

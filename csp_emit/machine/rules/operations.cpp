@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a called operation runs, and with which values.
+// Starts a called operation: the place where it runs, and its initial values.
 #include "csp_emit/machine/rules/operations.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using cspm::ExprPtr;
 
 namespace {
 
-/// Whether nothing runs concurrently with the call, so that the return address determines the caller's configuration.
+/// Whether the call runs without concurrency, so that the return address determines the caller's configuration.
 bool shares(const MachineTables& tables, const RunningThread& running, const Activation& returned) {
     // A shared operation runs in a separate configuration, which does not contain the state of its caller.
     if (!tables.project().options.share_calls || tables.context.within) return false;

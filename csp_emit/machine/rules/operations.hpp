@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls (semantics 3.8). If the operation is not defined in the context, a call is one event `opCall.args`. If it is
-// defined, the operation's machine runs and then returns to its caller. Its code is written once for all calls
-// (call_sharing.hpp), or inlined if it is called concurrently with something else; its parameters and variables are
-// then parameters of those points too.
+// Calls (semantics 3.8). If the context does not define the operation, a call is one event `opCall.args`. Otherwise the
+// operation's machine runs and then returns to its caller. All calls share the operation's code (call_sharing.hpp),
+// unless something runs concurrently with the call. In that case the code is inlined, and the operation's parameters
+// and variables become parameters of the inlined points, too.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace robochart::csp_emit {
 
 /// Runs the operation that the statement calls, then `rest`.
 [[nodiscard]] Next call(MachineTables&, const RunningThread&, const ir::Stmt&, const Program& rest, const Values&);
-/// The call as an event.
+/// Performs the call as an event.
 [[nodiscard]] Branch call_event(const MachineTables&, const RunningThread&, const ir::Stmt&,
                                 const std::vector<cspm::ExprPtr>& arguments);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Determines when others may write, and the configuration after a write.
+// Determines when other components may write a shared variable, and the configuration after a write.
 #include "csp_emit/machine/rules/shared_variables.hpp"
 
 #include <algorithm>

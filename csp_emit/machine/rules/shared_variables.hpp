@@ -18,12 +18,13 @@ namespace robochart::csp_emit {
 /// Adds the step that leaves `node` if it is observable. `next` is the action that follows; it may be null.
 void left_before(const MachineTables&, const ir::StmtPtr& next, ir::NodeId node, const ir::Transition&,
                  std::vector<Item>& items);
-/// The steps `exit` and `exited` of a node do not synchronise, but others may write until they happen.
+/// The branch for the steps `exit` and `exited` of a node. They do not synchronise, but others may write until they
+/// happen.
 [[nodiscard]] Branch left_branch(MachineTables&, const RunningThread&);
 
 /// `set_EXT_x` of every shared variable.
 [[nodiscard]] std::vector<cspm::ExprPtr> external_write_events(const MachineTables&);
-/// `set_EXT_x?v` for each of them, if no thread refuses writes.
+/// A branch `set_EXT_x?v` for every shared variable, if no thread refuses writes.
 [[nodiscard]] std::vector<Branch> external_writes(const MachineTables&, const Activation& config, const View&);
 
 }  // namespace robochart::csp_emit

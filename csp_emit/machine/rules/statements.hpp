@@ -10,12 +10,13 @@
 
 namespace robochart::csp_emit {
 
-/// The expressions that a statement evaluates itself, without those of nested statements.
+/// The expressions that the statement itself evaluates, without those of nested statements.
 [[nodiscard]] std::vector<const ir::Expr*> reads(const ir::Stmt&);
-/// Whether no one else can write what the statement reads. `alone`: no other thread runs.
+/// Whether the statement reads only values that other threads and components cannot write. `alone`: no other thread
+/// runs.
 [[nodiscard]] bool stable(const MachineTables&, std::uint32_t frame, const ir::Stmt&, bool alone);
-/// Whether all variables that the statement reads currently have names or literals as values, so that using them twice
-/// copies no expressions.
+/// Whether every variable that the statement reads currently has a name or a literal as its value. A second use of such
+/// a value copies no expression.
 [[nodiscard]] bool reads_only_names(const MachineTables&, std::uint32_t frame, const ir::Stmt&, const Values&);
 /// Whether the operation that the statement calls is defined in the machine's context.
 [[nodiscard]] bool defined(const MachineTables&, const RunningThread&, const ir::Stmt& call);
@@ -32,8 +33,8 @@ namespace robochart::csp_emit {
 
 /// A hidden step of a statement: `step__.n`.
 [[nodiscard]] cspm::ExprPtr step(MachineTables&, std::uint32_t frame, const ir::Stmt&, const std::string& what);
-/// The configuration in which the thread is blocked. The deadlines around it still expire (semantics 3.10: `S <{d}` is
-/// interrupted after d by a process in which time stops, independently of S).
+/// The configuration with this thread blocked. The deadlines around the statement still expire (semantics 3.10: `S
+/// <{d}` is interrupted after d by a process in which time stops, independently of S).
 [[nodiscard]] Activation stuck(const RunningThread&);
 
 }  // namespace robochart::csp_emit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Entering nodes.
+// Enters nodes and states.
 #include "csp_emit/machine/rules/states.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ bool is_within(const ir::Machine& machine, NodeId node, NodeId state) {
     return node.valid();
 }
 
-/// The running machine of that frame; finds the owner of a thread again after a change.
+/// The running machine of the frame. A thread's owner has to be looked up again after the configuration has changed.
 const RunningMachine* machine_of(const View& view, std::uint32_t frame) {
     const auto found = std::ranges::find_if(
         view.machines, [&](const RunningMachine& running) { return running.activation->frame == frame; });
@@ -79,7 +79,7 @@ Next enter(const MachineTables& tables, const RunningThread& running, const Valu
     const ir::Machine& machine = *tables.frames[running.frame()].machine;
     const ir::Node& node = machine.nodes[item.node.index];
     // The entering thread is the activation's control thread, so `at` changes with it. After its entry action, a
-    // composite state is at its initial node.
+    // composite state continues at its initial node.
     Program rest = running.tail();
     const auto entered_item = [&](NodeId which) {
         Item event = item;

@@ -15,7 +15,7 @@ namespace robochart::csp_emit {
 [[nodiscard]] Next enter(const MachineTables&, const RunningThread&, const Values&);
 /// Adds a state to the entered states, outermost first, and starts its during action and its clock.
 [[nodiscard]] Next entered(const MachineTables&, const RunningThread&, const Values&);
-/// The same as an event of the alphabet: `S::entered`.
+/// Performs the same step as an event of the alphabet: `S::entered`.
 [[nodiscard]] Branch entered_branch(const MachineTables&, const RunningThread&);
 
 }  // namespace robochart::csp_emit

@@ -31,7 +31,7 @@ void for_each_deadline(const View& view, const Visit& visit) {
     for (const RunningThread& running : view.threads) deadlines(running.thread().rest);
 }
 
-/// The preconditions of a call of a platform operation in `pre & opCall`, which is urgent only if it is offered.
+/// The preconditions of a call of a platform operation, `pre & opCall`. The call is urgent only if it is offered.
 b::Exprs call_preconditions(const MachineTables& tables, const RunningThread& running, bool alone) {
     const Item& item = running.head();
     if (item.kind != ItemKind::statement || item.stmt->kind != ir::StmtKind::call) return {};
@@ -57,8 +57,8 @@ b::Exprs time_conditions(const MachineTables& tables, const View& view) {
     return result;
 }
 
-/// Waits get shorter; a thread whose wait is over continues. The waits are decided one after the other; `values` holds
-/// the results so far.
+/// The configuration after a tock: waits get shorter, and a thread continues if its wait is over. The waits are decided
+/// one after the other; `values` holds the results so far.
 Next after_tock(const MachineTables& tables, const Activation& config, const Values& values) {
     const View now = view(config);
     for (const RunningThread& running : now.threads) {
@@ -129,8 +129,8 @@ std::vector<std::pair<CellId, ExprPtr>> monitors(const MachineTables& tables, co
         for (const auto& [id, cell] : frame.monitors) {
             const ir::Transition& transition = frame.machine->transitions[id];
             const auto& entered = running.activation->entered;
-            if (std::ranges::find(entered, transition.source) == entered.end()) continue;
-            // The monitor receives no value: it reads the variable (semantics 3.10).
+            if (std::find(entered.begin(), entered.end(), transition.source) == entered.end()) continue;
+            // the monitor receives no value but reads the variable (semantics 3.10)
             const bool receives = transition.trigger && transition.trigger->kind == ir::CommKind::input;
             const ExprPtr known =
                 receives ? tables.cells.value(frame.variables.at(transition.trigger->variable.index), values) : nullptr;
@@ -152,7 +152,7 @@ Values with_monitors(const MachineTables& tables, const Activation& config, cons
 }
 
 Branch tock(const MachineTables& tables, const Activation& config, const View& view) {
-    // Clocks of callers that are not part of the configuration advance too (SparseCall::after_tock).
+    // clocks of callers outside the configuration advance too (SparseCall::after_tock)
     Values values;
     for (const RunningMachine& running : view.machines)
         for (const CellId cell : tables.frames[running.activation->frame].own)

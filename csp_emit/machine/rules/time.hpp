@@ -17,18 +17,17 @@ namespace robochart::csp_emit {
 [[nodiscard]] bool urgent(const MachineTables&, const View&);
 /// The deadlines of the current transitions: the counter and the transition's guard.
 [[nodiscard]] std::vector<std::pair<CellId, cspm::ExprPtr>> monitors(const MachineTables&, const View&, const Values&);
-/// The values with which a configuration becomes a point: a transition's deadline is restarted whenever its guard is
-/// false.
+/// The values with which a configuration becomes a point. A transition's deadline restarts whenever its guard is false.
 [[nodiscard]] Values with_monitors(const MachineTables&, const Activation& config, const Values&);
-/// One unit passes, if no pending deadline has expired.
+/// The branch in which one time unit passes, if no pending deadline has expired.
 [[nodiscard]] Branch tock(const MachineTables&, const Activation& config, const View&);
-/// Starts a wait: `wait(n)`, or one of the lengths in an interval. In the untimed semantics it has no effect (semantics
-/// 3.11).
+/// Starts `wait(n)`, or a wait for one of the lengths in an interval. In the untimed semantics a wait has no effect
+/// (semantics 3.11).
 [[nodiscard]] Next start_wait(MachineTables&, const RunningThread&, const ir::Stmt&, const Program& rest,
                               const Values&);
-/// The clocks of the caller that guards of the running machines need here, in order of declaration. An operation that
-/// is checked on its own reads them one after the other before it evaluates its guards, and again after time has passed
-/// (`get_CLID_C?C -> TimeOut_1(choices, SKIP) ; Trans`).
+/// The clocks of the caller that guards of the running machines read here, in order of declaration. An operation that
+/// is checked on its own reads these clocks one after the other before it evaluates its guards, and again after time
+/// has passed (`get_CLID_C?C -> TimeOut_1(choices, SKIP) ; Trans`).
 [[nodiscard]] std::vector<CellId> clocks_needed(const MachineTables&, const View&);
 
 }  // namespace robochart::csp_emit

@@ -54,8 +54,8 @@ ExprPtr unless_true(const ExprPtr& guard) {
     return is_true(guard) ? nullptr : guard;
 }
 
-/// Whether the order between the store of a trigger's value and an exit action matters: the store is visible, or the
-/// action uses the variable. Any call of a defined operation counts as a use.
+/// Whether the order of two steps matters: the store of a trigger's value, and an exit action. It matters if the store
+/// is visible or the action uses the variable. A call of any defined operation counts as a use.
 bool races(const MachineTables& tables, std::uint32_t index, ir::VariableId variable, const ir::Stmt& exit) {
     bool found = tables.cells[tables.frames[index].variables.at(variable.index)].shared;
     const auto uses = [&](const ir::Expr& part) {
@@ -91,7 +91,7 @@ Values reset_clocks(const MachineTables& tables, std::uint32_t index, const ir::
     return result;
 }
 
-/// A part of the transition's effect, as an item that has only a label.
+/// A part of the transition's effect, as an item with only a label.
 Item item_of(const ir::Transition& transition, ItemKind kind) {
     Item item;
     item.kind = kind;
@@ -157,7 +157,7 @@ Activation leave(MachineTables& tables, const Activation& activation, ir::Transi
     return result;
 }
 
-/// The condition in this semantics (untimed or timed); null if there is none.
+/// The condition in this semantics (untimed or timed); null if the transition has none.
 ir::ExprPtr condition_in_time(const MachineTables& tables, const ir::Transition& transition) {
     return tables.timed() || !transition.guard_timed ? transition.guard : ir::untimed_guard(transition.guard).kept;
 }

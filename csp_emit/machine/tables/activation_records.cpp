@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opens frames: what an operation requires is shared with its caller, everything else gets new cells.
+// Opens frames. An operation shares the elements that it requires with its caller; its other elements get new cells.
 #include "csp_emit/machine/tables/activation_records.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ std::optional<std::size_t> find_named(const std::vector<Element>& elements, cons
     return static_cast<std::size_t>(found - elements.begin());
 }
 
-/// Text of the caller's element with that name; "-" if there is none.
+/// The text of the caller's element with that name; "-" if the caller has none.
 template <class Element, class Meaning>
 std::string bound_to(const std::vector<Element>& elements, const std::string& name, const Meaning& meaning) {
     const auto found = find_named(elements, name);
@@ -117,7 +117,7 @@ void ActivationRecords::add_clocks(Frame& frame, bool root) {
     }
 }
 
-/// Adds a cell for the clock if something reads it. `outside`: it is a clock of the caller, read by an event.
+/// Adds a cell for the clock if a guard reads it. `outside`: an event reads it, because it is a clock of the caller.
 void ActivationRecords::add_clock(Frame& frame, ir::ClockId id, bool outside) {
     const ir::Machine& opened = *frame.machine;
     const ir::Clock& clock = opened.clocks[id.index];
@@ -136,7 +136,7 @@ void ActivationRecords::add_clock(Frame& frame, ir::ClockId id, bool outside) {
     if (!outside) frame.own.push_back(*frame.clocks.back());
 }
 
-/// Whether the machine reads its clock, or an operation that it may call requires and reads it.
+/// Whether the machine reads its clock, or may call an operation that requires and reads the clock.
 bool ActivationRecords::read_somewhere(const ir::Machine& opened, ir::ClockId id) const {
     const auto below = calls_.callable();
     const auto inherits = [&](const ir::Machine* operation) {
@@ -173,7 +173,7 @@ void ActivationRecords::add_monitors(Frame& frame) {
         if (transition.guard && mentions(*transition.guard, outside))
             project().refuse("the deadline of " + transition.name + " under a condition on the caller's clock",
                              transition.origin.span);
-        // No source defines whether such a deadline runs.
+        // no source defines whether such a deadline runs
         if (ir::preconditions_can_fail(project().system, project().instantiation, {}, *transition.deadline))
             project().refuse("the deadline of " + transition.name + " by a function with a precondition",
                              transition.origin.span);
@@ -199,7 +199,7 @@ void ActivationRecords::find_watched(Frame& frame, bool root) const {
 std::uint32_t ActivationRecords::called(std::uint32_t caller, const ir::Stmt& call, const ir::Machine& operation) {
     const auto key = std::make_pair(caller, &call);
     if (const auto found = called_.find(key); found != called_.end()) return found->second;
-    // For deep chains of calls, names prefixed with all callers would make the size of the script quadratic.
+    // with the names of all callers as prefixes, deep chains of calls would make the size of the script quadratic
     constexpr std::size_t longest = 40;
     const std::string& above = frames_[caller].prefix;
     const std::string prefix = (above.size() < longest ? above : "") + operation.name + "_";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Machines and called operations: the parameters that hold the variables, clocks and counters of each. An operation
+// For a machine and each called operation, the parameters that hold its variables, clocks and counters. An operation
 // works on its caller's variables, clocks and events of the same name (semantics 3.8).
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace robochart::csp_emit {
 
-/// A machine, or an operation called in one place of it.
+/// A machine, or an operation that the machine calls in one place.
 struct Frame {
     const ir::Machine* machine = nullptr;
     std::uint32_t parent = 0;
@@ -41,8 +41,8 @@ public:
     [[nodiscard]] const Frame& root() const { return frames_.front(); }
     /// The frame of the operation that the statement of `caller` calls.
     std::uint32_t called(std::uint32_t caller, const ir::Stmt& call, const ir::Machine& operation);
-    /// One frame of the operation for all callers in which the variables and clocks that it requires denote the same
-    /// cells.
+    /// A frame of the operation. Callers share the frame if the operation's required variables and clocks denote the
+    /// same cells for all of them.
     std::uint32_t shared(std::uint32_t caller, const ir::Machine& operation);
 
     /// The meaning of names in expressions of a frame.
@@ -51,9 +51,9 @@ public:
     [[nodiscard]] const ir::Machine* definition(std::uint32_t frame, ir::OperationId) const;
     /// The constructor for the clock in its event clockReset; null if a reset is not an event.
     [[nodiscard]] const std::string* announced(std::uint32_t frame, ir::ClockId) const;
-    /// The full duration of a transition's deadline, by the cell that counts it down (semantics 3.10).
+    /// The full duration of a transition's deadline, identified by the cell that counts it down (semantics 3.10).
     [[nodiscard]] cspm::ExprPtr full_time(CellId monitor, const Values&) const;
-    /// A reset on a transition as a statement, if it is an event.
+    /// The statement for a clock reset on a transition, if the reset is an event.
     [[nodiscard]] const ir::Stmt* reset_statement(std::uint32_t frame, ir::TransitionId, ir::ClockId);
 
 private:
@@ -74,11 +74,11 @@ private:
     ClockLimits& limits_;
     std::vector<Frame> frames_;
     std::map<std::pair<std::uint32_t, const ir::Stmt*>, std::uint32_t> called_;
-    std::map<std::string, std::uint32_t> shared_;  ///< by the caller's elements for the required names
+    std::map<std::string, std::uint32_t> shared_;  ///< by the caller's elements that the operation requires
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, ir::Stmt> reset_statements_;
 };
 
-/// Whether the clock belongs to the caller, and the machine is an operation that is checked on its own.
+/// Whether the clock belongs to the caller of an operation that is checked on its own.
 [[nodiscard]] bool is_callers(const ir::Machine&, const ir::Clock&);
 
 }  // namespace robochart::csp_emit

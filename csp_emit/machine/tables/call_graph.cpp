@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reachability and cycles in the call graph.
+// Computes reachability and cycles in the call graph.
 #include "csp_emit/machine/tables/call_graph.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace robochart::csp_emit {
 namespace {
 
-/// For each operation of a context: the operations that it calls and that are defined there.
+/// For each operation of a context, the operations that it calls and the context defines.
 using Callees = std::map<const ir::Machine*, std::vector<const ir::Machine*>>;
 
 Callees callees(const std::vector<const ir::Machine*>& definitions) {

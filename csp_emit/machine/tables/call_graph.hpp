@@ -10,7 +10,8 @@
 
 namespace robochart::csp_emit {
 
-/// Owns the list of operations reached by calls, and the constants of the machine and of these (semantics 3.12).
+/// Owns the list of operations reached by calls, and the constants of the machine and of these operations (semantics
+/// 3.12).
 class CallGraph {
 public:
     /// Reserves names for the constants in the context.
@@ -21,12 +22,12 @@ public:
     [[nodiscard]] const ir::Machine* definition(const ir::Machine& caller, ir::OperationId) const;
     /// The operations that the machine calls, directly or indirectly.
     [[nodiscard]] std::vector<const ir::Machine*> callable() const;
-    /// The calls from `operation` to `caller` and back, if the operation can call its caller: `o -> p -> o`.
+    /// A cycle of calls through both, `o -> p -> o`, if the operation can call its caller; otherwise "".
     [[nodiscard]] std::string recursion(const ir::Machine& caller, const ir::Machine& operation) const;
 
     /// The machine's constants in order of declaration, then those of the operations that it calls.
     [[nodiscard]] const std::vector<ConstantParameter>& constants() const { return constants_; }
-    /// Their names as parameters of the machine's functions.
+    /// The names of these constants as parameters of the machine's functions.
     [[nodiscard]] std::vector<std::string> constants_inside() const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stack of calls as a parameter, and the functions that it selects.
+// Represents the stack of calls as a parameter, and selects functions by its top.
 #include "csp_emit/machine/tables/call_sharing.hpp"
 
 #include <algorithm>

@@ -15,23 +15,23 @@
 
 namespace robochart::csp_emit {
 
-/// The return point of a shared operation's call.
+/// The point where the machine continues after the call of a shared operation.
 struct Continuation {
     std::uint32_t frame = 0;  ///< frame of the operation
     Activation config;        ///< the configuration after the return
     std::string name;         ///< name of its function
 };
 
-/// Owns the continuations of shared calls and the values of the stack. Whether a value needs a number is known only
-/// when all calls are known; until then its node is empty.
+/// Owns the continuations of shared calls and the values of the stack. A value may need a number, which is known only
+/// after all calls have been collected; until then its node is empty.
 class CallSharing {
 public:
     CallSharing(ParameterTable& cells, PointTable& points, FamilyCalls& calls)
         : cells_(cells), points_(points), calls_(calls) {}
 
-    /// Sets the stack inside a call: pushes this return address.
+    /// Pushes the return address of a call on the stack: sets the stack in `inside`.
     void push(std::uint32_t frame, const Activation& returned, const Values& values, Values& inside);
-    /// The call of the function for the operation's end.
+    /// The call of the function for the end of the operation.
     [[nodiscard]] cspm::ExprPtr return_from(std::uint32_t frame, const Values&, bool after_tock);
     /// The stack after a call has returned.
     [[nodiscard]] Values behind(const Continuation&);
@@ -39,12 +39,12 @@ public:
 
     /// At the end of an operation: selects the continuation by the top of the stack.
     [[nodiscard]] cspm::ExprPtr dispatch(std::uint32_t frame);
-    /// Fills in the values. An operation with a single continuation needs no number for it.
+    /// Fills in the values of the stack. An operation with a single continuation needs no number.
     void settle();
-    /// If an operation has a single continuation that only calls a point, its end becomes that point and the function
-    /// of the end is removed. `behind`: the functions of the continuations.
+    /// Handles operations with a single continuation that only calls a point: their end becomes that point, and the
+    /// function for the end is removed. `behind` contains the functions of the continuations.
     void skip_returns(std::vector<Function>& functions, const std::vector<Function>& behind);
-    /// Records which parameter is the stack, and what its values mean.
+    /// Records which parameter is the stack, and the meaning of its values.
     void describe(Candidates&) const;
     /// The functions `top` and `rest` of the stack, if some operation has several continuations.
     void declare(std::vector<cspm::DeclPtr>& decls) const;
@@ -54,13 +54,13 @@ private:
     struct Returns {
         std::map<std::string, std::size_t> number;
         std::vector<std::size_t> continuations;
-        std::vector<cspm::ExprPtr> calls;  ///< calls of the end of the operation
+        std::vector<cspm::ExprPtr> calls;  ///< calls of the function for the operation's end
     };
-    /// A value of the stack whose form depends on whether the operation has a single continuation.
+    /// A value of the stack. Its form depends on whether the operation has a single continuation.
     struct Pending {
         std::uint32_t frame;
         std::shared_ptr<cspm::Expr> value;
-        std::optional<std::size_t> pushed;  ///< the number of the continuation; no value: one is popped
+        std::optional<std::size_t> pushed;  ///< the number of the continuation; no value: the top is popped
         cspm::ExprPtr outer;
     };
 

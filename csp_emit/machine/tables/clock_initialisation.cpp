@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One parameter for the watched clock, one event for each guard that reads it.
+// Adds a parameter for the watched clock, and an event for each guard that reads the clock.
 #include "csp_emit/machine/tables/clock_initialisation.hpp"
 
 #include "checker/cspm/syntax/build.hpp"

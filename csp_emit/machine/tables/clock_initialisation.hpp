@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a clock is initialised (RoboTool does not check this). A clock starts with its machine, but a guard that
-// reads it before any reset reads a time that the model has not set. One more parameter of the machine records whether
-// the clock has been reset, and an event marks each read before that.
+// Determines whether a clock is initialised (RoboTool does not check this). A clock starts with its machine, so a guard
+// that reads it before any reset reads a time that the model has not set. An additional parameter of the machine
+// records whether the clock has been reset, and an event marks each earlier read.
 #pragma once
 
 #include <map>
@@ -13,7 +13,8 @@
 
 namespace robochart::csp_emit {
 
-/// Owns that parameter and the numbers of the guards that read the clock. It does nothing if no clock is watched.
+/// Owns the additional parameter and the numbers of the guards that read the clock. Has no effect if no clock is
+/// watched.
 class ClockWatch {
 public:
     ClockWatch(const MachineContext&, const ActivationRecords&, ParameterTable&, Provenance&);

@@ -27,13 +27,13 @@ const ir::Expr& without_casts(const ir::Expr& expr) {
     return *inner;
 }
 
-/// The values with which the machine's guards compare the named clock (or the clock of a state).
+/// Collects the values with which the machine's guards compare the named clock (or the clock of a state).
 class ClockBounds {
 public:
     ClockBounds(const ir::Machine& machine, std::string clock, ir::NodeId entry_of)
         : machine_(machine), clock_(std::move(clock)), entry_of_(entry_of) {}
 
-    /// False if the clock is used other than as a side of a comparison (forbidden by rule TE4).
+    /// Returns false if a guard uses the clock other than as a side of a comparison, which rule TE4 forbids.
     bool collect(std::vector<const ir::Expr*>& bounds) const {
         bool direct = true;
         for (const ir::Transition& transition : machine_.transitions)

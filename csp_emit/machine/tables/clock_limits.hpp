@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where clocks saturate (semantics 3.10): one above the largest value that any guard compares them with.
+// Computes the value at which a clock saturates (semantics 3.10): one more than the largest value with which a guard
+// compares it.
 #pragma once
 
 #include <string>
@@ -15,8 +16,8 @@ public:
     ClockLimits(const Project& project, const CallGraph& calls, NameManager& names)
         : project_(project), calls_(calls), names_(names) {}
 
-    /// One above the largest value with which the clock, or the clock of a state, is compared: a number, or a call of a
-    /// function of the constants if the bounds are not all literals.
+    /// One more than the largest value with which the clock, or the clock of a state, is compared. The result is a
+    /// number, or a call of a function of the constants if some bound is not a literal.
     [[nodiscard]] cspm::ExprPtr limit(const ir::Machine& opened, const std::string& clock, ir::NodeId entry_of);
     [[nodiscard]] const std::vector<cspm::DeclPtr>& declarations() const { return declarations_; }
 

@@ -56,7 +56,8 @@ Activation with_thread(const Activation& activation, std::size_t number, Thread 
     return result;
 }
 
-/// `during`: it runs inside a during action, so other threads and transitions may act between any two of its steps.
+/// `during`: the machine runs inside a during action, so other threads and transitions may act between any two of its
+/// steps.
 void collect(const std::shared_ptr<const RunningMachine>& machine, bool during, View& view) {
     view.machines.push_back(*machine);
     for (std::size_t number = 0; number <= machine->activation->durings.size(); ++number) {

@@ -103,7 +103,7 @@ struct RunningThread {
     [[nodiscard]] Activation replace(Thread) const;
     [[nodiscard]] Activation replace(Program rest) const { return replace(Thread{std::move(rest), nullptr}); }
 };
-/// All threads (a thread that calls an operation is represented by the operation's own) and all running machines.
+/// All threads and all running machines. An operation's own thread represents the thread that calls it.
 struct View {
     std::vector<RunningThread> threads;
     std::vector<RunningMachine> machines;

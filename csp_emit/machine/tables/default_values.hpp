@@ -9,13 +9,14 @@
 
 namespace robochart::csp_emit {
 
-/// Owns the default value of each type used. A large one, such as a matrix, is written once and named.
+/// Owns the default value of each type that the machine uses. A large value, such as a matrix, is written once and
+/// named.
 class DefaultValues {
 public:
     explicit DefaultValues(const Project& project) : project_(project) {}
 
     [[nodiscard]] cspm::ExprPtr of(ir::TypeId);
-    /// The definitions of the large ones.
+    /// The definitions of the large default values.
     [[nodiscard]] const std::vector<cspm::DeclPtr>& declarations() const { return declarations_; }
 
 private:

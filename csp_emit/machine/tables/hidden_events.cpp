@@ -27,7 +27,7 @@ ExprPtr HiddenEvents::transition(std::uint32_t frame, ir::TransitionId id) {
         meaning.text = ir::text_of(owner, transition);
         meaning.origin = transition.origin;
         if (owner.nodes[transition.source.index].kind == ir::NodeKind::probabilistic) meaning.draw = draw(frame, id);
-        // Constructors are printed with the module that contains them.
+        // constructors are printed with the module that contains them
         mean(provenance_, context_.path, "internal__." + context_.path + "::" + found->second, meaning);
     }
     return b::dot({b::name("internal__"), b::name(found->second)});
@@ -37,7 +37,7 @@ std::shared_ptr<const Draw> HiddenEvents::draw(std::uint32_t frame, ir::Transiti
     const ir::Machine& owner = *frames_[frame].machine;
     auto result = std::make_shared<Draw>();
     result->junction = frames_[frame].prefix + owner.nodes[owner.transitions[id.index].source.index].path;
-    // Elements have the same numbers in the renamed copy of the system (safe_names.hpp), which lives only during the
+    // An element has the same number in the renamed copy of the system (safe_names.hpp), which exists only during the
     // emission.
     const auto number = static_cast<std::size_t>(&owner - context_.project->system.machines.data());
     result->machine = ir::MachineId{static_cast<std::uint32_t>(number)};

@@ -19,14 +19,14 @@ public:
                  Provenance& provenance)
         : context_(context), frames_(frames), cells_(cells), provenance_(provenance) {}
 
-    /// `step__.n`; equal keys are the same step.
+    /// The event `step__.n`. Equal keys get the same n.
     [[nodiscard]] cspm::ExprPtr step(const std::string& key, const EventMeaning&);
     /// `internal__.TID_t`, for a transition without trigger.
     [[nodiscard]] cspm::ExprPtr transition(std::uint32_t frame, ir::TransitionId);
 
-    /// Their datatype and channels.
+    /// Declares the datatype of the transitions and the channels of the hidden events.
     void declare(std::vector<cspm::DeclPtr>& decls) const;
-    /// Those of their channels that exist.
+    /// The channels of hidden events that the machine uses.
     [[nodiscard]] std::vector<cspm::ExprPtr> channels() const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A machine in its context: the input of its emission.
+// A machine and its context, the input of the machine's emission.
 #pragma once
 
 #include <map>
@@ -29,7 +29,7 @@ struct MachineContext {
     std::string offered = {};
     std::optional<ir::NodeId> within = {};  ///< a state; no value: everywhere except at the end
 
-    /// Whether it is a copy for one assertion.
+    /// Whether this is a copy of a machine for one assertion.
     [[nodiscard]] bool copied() const { return !offered.empty() || !watched.empty(); }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cells by number, by name, and by the statement or trigger that needs them.
+// Stores cells by number, by name, and by the statement or trigger that uses them.
 #include "csp_emit/machine/tables/parameters.hpp"
 
 #include "checker/cspm/syntax/build.hpp"

@@ -43,7 +43,7 @@ public:
 
     /// Adds a cell with a unique name.
     CellId add(Cell cell);
-    /// The cell for the value with that number that a statement keeps during its execution.
+    /// The cell for value number `number` that a statement keeps during its execution.
     CellId of_statement(std::uint32_t frame, const ir::Stmt& stmt, std::size_t number, CellKind kind,
                         const std::string& name);
     /// The cell that holds the value of a trigger until it is stored.
@@ -57,7 +57,7 @@ public:
     [[nodiscard]] cspm::ExprPtr parameter(CellId) const;
     /// The current value of the cell.
     [[nodiscard]] cspm::ExprPtr value(CellId, const Values&) const;
-    /// The values by the names of their parameters.
+    /// The values as arguments, each with the name of its parameter.
     [[nodiscard]] Arguments arguments(const Values&) const;
 
 private:

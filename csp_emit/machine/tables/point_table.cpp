@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maps the keys of configurations to points; a point is named after what happens in it.
+// Maps the keys of configurations to points. A point is named after the action or wait that takes place in it.
 #include "csp_emit/machine/tables/point_table.hpp"
 
 #include <algorithm>
