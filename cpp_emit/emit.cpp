@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The emission of one component: resolves it, rejects what cannot be generated, writes its files.
+// Emits one component: resolves it, rejects unsupported constructs, writes its files.
 #include "cpp_emit/emit.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t max_state_bytes = 64U << 10U;
 
-/// Whether the exploration interface can be written; reports an error if it is required and cannot.
+/// Whether the exploration interface can be written. Reports an error if it is required and cannot be written.
 bool explorable(const Generation& generation, diagnostics::Diagnostics& diagnostics) {
     const Component& component = generation.component;
     const auto beyond = beyond_exploration(generation.system, generation.inst, component);

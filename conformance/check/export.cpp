@@ -16,7 +16,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// A channel for events that no normal form performs.
+/// Declares the channel for errors of the code, which no normal form performs; "" if the graph has no such event.
 std::string fault_channel(const lts::Graph& graph, const process::EventTable& events) {
     for (lts::StateIndex state = 0; state < graph.size(); ++state)
         for (const lts::Edge& edge : graph.edges(state))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Data about one component from the IR and the emitted script; see component.hpp.
+// Looks up the data about one component in the IR and the emitted script; see component.hpp.
 #include "conformance/model/component.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::string flatten(const std::string& name) {
     return result;
 }
 
-/// A carrier for the model's type; values of composed types are numbered in the order of ir::carrier.
+/// The carrier for a type of the model. Values of composed types are numbered in the order of ir::carrier.
 Carrier carrier_of(const ir::System& system, const ir::Instantiation& instantiation, ir::TypeId id) {
     const ir::Type& type = system.type(id);
     if (cpp_emit::composed(type)) {
@@ -49,11 +49,11 @@ Carrier carrier_of(const ir::System& system, const ir::Instantiation& instantiat
     return carrier;
 }
 
-/// The external variables in expressions of a machine and of the operations that it calls; elements that an operation
-/// requires may be its caller's own (semantics 3.8).
+/// Collects the external variables in expressions of a machine and of the operations that it calls. An element that an
+/// operation requires may be its caller's own (semantics 3.8).
 class Reads {
 public:
-    /// `controller` defines the operations; null: none are defined.
+    /// `controller` defines the operations; null means that no operation is defined.
     Reads(const ir::System& system, const ir::Controller* controller, std::set<std::string>& found)
         : system_(system), controller_(controller), found_(found) {}
 
@@ -123,7 +123,7 @@ private:
         for (const ir::ExprPtr& part : {stmt->value, stmt->upper, stmt->condition}) expression(part);
         for (const ir::ExprPtr& part : stmt->args) expression(part);
         for (const ir::ExprPtr& part : stmt->path) expression(part);
-        // An assignment to a part keeps the other parts, so it reads the variable.
+        // an assignment to a part keeps the other parts, so it reads the variable
         if (stmt->kind == ir::StmtKind::assign && !stmt->path.empty()) variable(stmt->variable);
         communication(stmt->communication);
         for (const ir::StmtPtr& part : stmt->body) statement(part);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The data about a component, other than its code, that conformance needs: its process and events in the script, the
-// meaning of its numbers, and external writes that cannot matter.
+// meaning of its numbers, and external writes without effect.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@
 
 namespace robochart::conformance {
 
-/// "P::S": the qualified CSPM module of the component.
+/// The qualified CSPM module of the component: "P::S".
 [[nodiscard]] std::string component_prefix(const ir::ComponentRef&);
 
-/// The component's process `D__` applied to its default constants; null if the script has none.
+/// The component's process `D__`, applied to its default constants. Null if the script does not contain the component.
 [[nodiscard]] cspm::ExprPtr component_process(const cspm::Script&, const ir::ComponentRef&);
 
 /// Sets the component prefix, sets the carriers of registers and outputs to the model's types, and blocks the external
@@ -24,7 +24,7 @@ namespace robochart::conformance {
 void complete(Interface&, const ir::System&, const ir::Instantiation&, const ir::ComponentRef&,
               const csp_emit::Provenance&);
 
-/// Required variables of the component on which no expression of its machines depends.
+/// Required variables of the component that no expression of its machines reads.
 [[nodiscard]] std::vector<std::string> unread_variables(const ir::System&, const ir::ComponentRef&);
 
 }  // namespace robochart::conformance

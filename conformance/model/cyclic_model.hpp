@@ -27,8 +27,8 @@ public:
 
     [[nodiscard]] const Alphabet& alphabet() const { return *alphabet_; }
     [[nodiscard]] const Interface& interface() const { return alphabet_->interface(); }
-    /// The interface with the names in the model and in generated code, which differ from the script's if elements were
-    /// renamed (csp_emit/passes/safe_names.hpp); in the same order.
+    /// The same interface, in the same order, with the names in the model and in generated code. These differ from the
+    /// script's names if elements were renamed (csp_emit/passes/safe_names.hpp).
     [[nodiscard]] const Interface& outside() const { return outside_; }
     [[nodiscard]] const ModelInterface& boundary() const { return boundary_; }
     [[nodiscard]] const csp_emit::Provenance& provenance() const { return script_.provenance; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Syntactic data independence: a kind of numbers is only passed on if no operator has an operand of this kind that
-// depends on a variable (Roscoe UCS 17.2, "data independence", without tests for equality). Unrecognised uses count as
-// dependence.
+// Syntactic data independence. The component only passes on a kind of numbers if no operator has an operand of this
+// kind that depends on a variable (Roscoe UCS 17.2, "data independence", without tests for equality). Unknown uses
+// count as dependence.
 #include "conformance/model/data_independence.hpp"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ private:
             case ir::TypeKind::given:
             case ir::TypeKind::unit:
                 return;
-            // with parts: it may contain numbers of any kind
+            // a type with parts may contain numbers of any kind
             case ir::TypeKind::sequence:
             case ir::TypeKind::set:
             case ir::TypeKind::product:
@@ -68,7 +68,7 @@ private:
         result.looked_into.push_back(id);
     }
 
-    /// Every value of the type, and of its parts, is used.
+    /// Marks every value of the type, and of its parts, as used.
     void enumerated(ir::TypeId id) {
         tested(id);
         const ir::Type& type = system_.type(id);
@@ -77,7 +77,7 @@ private:
             for (const ir::TypeId part : arguments) enumerated(part);
     }
 
-    /// Storing a value in a place of another type is a conversion.
+    /// Storing a value as another type is a conversion.
     void stored(const ir::ExprPtr& value, ir::TypeId place) {
         passed(value);
         if (!value || constant(*value) || !value->type.valid() || !place.valid()) return;
@@ -90,8 +90,8 @@ private:
         return kind == ir::ExprKind::variable || kind == ir::ExprKind::trigger_value;
     }
 
-    /// Whether it depends on no variable. Recursion depth: the depth of the model's expressions, which the reader
-    /// limits.
+    /// Whether the expression depends on no variable. Recursion depth: the depth of the model's expressions, which the
+    /// reader limits.
     static bool constant(const ir::Expr& expr) {
         constexpr ir::ExprKind alone[] = {ir::ExprKind::boolean, ir::ExprKind::integer, ir::ExprKind::real,
                                           ir::ExprKind::string, ir::ExprKind::constant};
@@ -99,8 +99,8 @@ private:
         return std::find(std::begin(alone), std::end(alone), expr.kind) != std::end(alone);
     }
 
-    /// A value that is passed on unchanged. If it is taken out of another value, or another value is built from it,
-    /// that one is examined.
+    /// Marks a value that is passed on unchanged. If the value is a part of another value, or is built from other
+    /// values, examines those.
     void passed(const ir::ExprPtr& expr) {
         if (!expr || leaf(expr->kind) || constant(*expr)) return;
         const ir::ExprKind kind = expr->kind;
@@ -122,7 +122,7 @@ private:
             stored(whole.args[i], i < parts.size() ? parts[i] : ir::TypeId{});
     }
 
-    /// A value on which something depends.
+    /// Marks a value that affects the behaviour.
     void used(const ir::ExprPtr& expr) {
         if (!expr || constant(*expr)) return;
         const bool clock = expr->kind == ir::ExprKind::since || expr->kind == ir::ExprKind::since_entry;
@@ -152,7 +152,7 @@ private:
         if (stmt->kind == ir::StmtKind::assign)
             stored(stmt->value, machine_->variables[stmt->variable.index].type);
         else
-            used(stmt->value);  // in a wait or a deadline
+            used(stmt->value);  // of a wait or a deadline
         const ir::OperationSignature* const call =
             stmt->operation.valid() ? &machine_->operations[stmt->operation.index] : nullptr;
         for (std::size_t i = 0; i < stmt->args.size(); ++i)

@@ -8,8 +8,8 @@
 
 namespace robochart::conformance {
 
-/// Values that the component only passes on: it stores them, sends them and passes them to operations, and no operator,
-/// comparison, index or wait depends on them ("data independent": Lazić 1999; Roscoe UCS 17.2).
+/// Values that the component only passes on ("data independent": Lazić 1999; Roscoe UCS 17.2). It stores them, sends
+/// them and passes them to operations, but uses them in no operator, comparison, index or wait.
 struct DataIndependence {
     bool nat = true;
     bool integer = true;
@@ -17,16 +17,16 @@ struct DataIndependence {
     std::vector<ir::TypeId> looked_into;  ///< types with parts for which something depends on values or on parts of
                                           ///< values
 
-    /// Whether the kind of numbers is only passed on.
+    /// Whether the component only passes on numbers of this kind.
     [[nodiscard]] bool of(ir::TypeKind) const;
-    /// Whether values of a type with parts are passed on as a whole. False for other types.
+    /// Whether the component passes on values of a type with parts as a whole. False for other types.
     [[nodiscard]] bool of(const ir::System&, ir::TypeId) const;
 };
 
-/// For these machines and operations together.
+/// Analyses these machines and operations together.
 [[nodiscard]] DataIndependence data_independence(const ir::System&, const std::vector<ir::MachineId>&);
 
-/// Declared types are compared by name, others by structure.
+/// Whether the two types are the same: compares declared types by name, other types by structure.
 [[nodiscard]] bool same_type(const ir::System&, ir::TypeId, ir::TypeId);
 
 }  // namespace robochart::conformance

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads values in logs by the types of the model, and replaces numbers outside the carriers if the component is data
-// independent.
+// Reads values in logs by the types of the model. If the component is data independent, replaces numbers outside the
+// carriers.
 #include "conformance/model/logged_value.hpp"
 
 #include <fmt/format.h>
@@ -100,7 +100,7 @@ private:
         const double scaled = real ? value * static_cast<double>(instantiation_.scale) : value;
         if (!real && scaled != std::floor(scaled)) throw fault("a whole number", word);
         at_ += length;
-        // A decimal of the model in binary floating point has a smaller error than this.
+        // the error of a decimal of the model in binary floating point is smaller
         const double near = std::round(scaled);
         const bool whole = std::abs(scaled - near) <= 1e-9 * std::max(1.0, std::abs(scaled)) && std::abs(near) < 9e15;
         if (whole && carried(kind, static_cast<std::int64_t>(near)))
@@ -114,7 +114,7 @@ private:
         return std::ranges::binary_search(*all, value);
     }
 
-    /// A literal, by its name in the model or in CSP.
+    /// Parses a literal by its name in the model or in CSP.
     LoggedPart literal(ir::TypeId id) {
         const ir::Type& type = system_.type(id);
         const std::size_t begin = at_;
@@ -178,7 +178,7 @@ private:
         return result;
     }
 
-    /// A single item has no parentheses.
+    /// Parses items in parentheses; a single item has none.
     template <class Item>
     LoggedPart repeated(const ir::Type& type, std::int64_t count, std::size_t begin, const Item& item) {
         LoggedPart result{0, "", TypeKind::product, {}};
@@ -269,7 +269,7 @@ private:
     std::size_t at_ = 0;
 };
 
-/// The value in the model, with replacements for numbers outside their carriers.
+/// The corresponding value of the model, in which other numbers replace those outside their carriers.
 ir::Value replaced(const LoggedPart& part, const ir::Instantiation& instantiation, std::uint64_t salt) {
     ir::Value value{part.number, {}};
     if (!part.outside.empty()) {
@@ -288,8 +288,8 @@ bool all_inside(const LoggedPart& part) {
     return part.outside.empty() && std::ranges::all_of(part.parts, all_inside);
 }
 
-/// Whether every number outside its carrier has a kind that is only passed on. Functions are total over their carriers,
-/// which do not contain other numbers.
+/// Whether the component only passes on every kind of number that is outside its carrier. Functions are total over
+/// their carriers, so they contain no other numbers.
 bool only_passed_on(const LoggedPart& part, const DataIndependence& passed_on) {
     if (part.kind == TypeKind::function) return all_inside(part);
     return (part.outside.empty() || passed_on.of(part.kind)) &&
@@ -327,8 +327,7 @@ LoggedValue ValueReader::read(std::string_view text) const {
     if (inside) result.number = place(result.whole, 0);
     if (result.number) return result;
     result.text = composed_ ? std::string(text) : result.whole.outside;
-    // A value that is outside for other reasons than its numbers, such as a sequence that is too long, cannot be
-    // replaced.
+    // a value outside for another reason, such as a sequence that is too long, cannot be replaced
     result.passed_on = !inside && only_passed_on(result.whole, passed_on_) && place(result.whole, 0).has_value();
     return result;
 }
@@ -406,7 +405,7 @@ private:
                                return this->value(type.literal_args[index].at(i), part);
                            }));
     }
-    /// In the form of robochart/trace.hpp.
+    /// The string as robochart/trace.hpp prints it.
     static std::string characters(const ir::Value& value) {
         static constexpr std::string_view special = "\"\\!?/";
         std::string text;

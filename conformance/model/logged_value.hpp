@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values as in logs (docs/traces.md): the notation of the CSP alphabet with decimal numbers, the names of literals and
-// no blanks. Values outside the finite instantiation are distinguished from those inside.
+// Values in logs (docs/traces.md): the notation of the CSP alphabet, with decimal numbers, the names of literals and no
+// blanks. The reader distinguishes values inside and outside the finite instantiation.
 #pragma once
 
 #include <cstdint>
@@ -33,26 +33,27 @@ struct LoggedValue {
     LoggedPart whole;
 };
 
-/// Thrown if a text is not a value of its type: the expected form, and the part of the text that does not match.
+/// Thrown if a text is not a value of its type. Contains the expected form and the part of the text that does not
+/// match.
 struct ValueFault {
     std::string wanted;
     std::size_t begin = 0;
     std::size_t length = 0;
 };
 
-/// The values of one type of a model.
+/// Reads the values of one type of a model.
 class ValueReader {
 public:
     ValueReader(const ir::System&, const ir::Instantiation&, ir::TypeId, const DataIndependence&);
 
-    /// Throws ValueFault.
+    /// Reads a value. Throws ValueFault.
     [[nodiscard]] LoggedValue read(std::string_view text) const;
-    /// The value of the carrier that represents one outside it: numbers outside their carriers are replaced by others
-    /// of their kind, equal ones by equal ones, selected by `salt`.
+    /// The index of the carrier's value that represents a value outside the carrier. Numbers outside their carriers are
+    /// replaced by numbers of their kind, which `salt` selects. Equal numbers get equal replacements.
     [[nodiscard]] std::int64_t stand_in(const LoggedValue&, std::uint64_t salt) const;
 
 private:
-    /// The index in the carrier; numbers outside their carriers are replaced.
+    /// The index of the value in the carrier. Numbers outside their carriers are replaced.
     [[nodiscard]] std::optional<std::int64_t> place(const LoggedPart&, std::uint64_t salt) const;
 
     const ir::System* system_;
@@ -63,7 +64,7 @@ private:
     std::map<ir::Value, std::int64_t> places_;  ///< for values with parts
 };
 
-/// A value of the model as in logs: "0.5", "Red", "(1,<2,3>)".
+/// The text of a model's value in a log: "0.5", "Red", "(1,<2,3>)".
 [[nodiscard]] std::string log_text(const ir::System&, const ir::Instantiation&, ir::TypeId, const ir::Value&);
 
 }  // namespace robochart::conformance

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explores M on demand: states are numbered, and transitions are mapped to their roles in the cycle and computed once.
+// Explores M on demand. Numbers the states, maps their transitions to roles in the cycle, and stores them.
 #include "conformance/model/model_graph.hpp"
 
 #include <fmt/format.h>
@@ -107,7 +107,7 @@ bool look_before_time_passes(ModelGraph& graph, ModelState start, Enough enough)
 
 }  // namespace
 
-/// If there are too many states, the answer is no: the model is then reported to stop time, not excused.
+/// If there are too many states, returns false: the model is then reported to stop time.
 bool ModelGraph::goes_on(ModelState start) {
     const auto found = goes_on_.find(start);
     if (found != goes_on_.end()) return found->second;
@@ -121,7 +121,7 @@ bool ModelGraph::goes_on(ModelState start) {
     return goes_on_.emplace(start, result).first->second;
 }
 
-/// If there are too many states, the answer is yes for all registers: this only loses the reduction of readings.
+/// If there are too many states, returns true for all registers, which only loses the reduction of readings.
 const std::vector<bool>& ModelGraph::hears(ModelState start) {
     const auto found = hears_.find(start);
     if (found != hears_.end()) return found->second;

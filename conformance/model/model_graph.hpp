@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model M with numbered states and stored successors. NF_c(M) visits each state of M with many register contents,
-// and needs to know which registers a state can still read before time passes.
+// The model M with numbered states and stored successors. NF_c(M) visits each state of M with many register contents.
+// It also needs to know which registers a state can still read before time passes.
 #pragma once
 
 #include <cstdint>
@@ -32,15 +32,16 @@ public:
 
     [[nodiscard]] ModelState initial() const { return initial_; }
     [[nodiscard]] const std::vector<ModelEdge>& edges(ModelState);
-    /// For each register: whether its event can happen from here before the next tock, in any run. Ignores the
-    /// simulation assumptions, so a yes may be wrong, but a no never is.
+    /// For each register, whether its event can happen from this state before the next tock, in any run. Ignores the
+    /// simulation assumptions: "yes" may be wrong, "no" is always right.
     [[nodiscard]] const std::vector<bool>& hears(ModelState);
-    /// Whether time can pass, or the model terminate, after the right inputs: after some events that take no time.
+    /// Whether time can pass, or the model terminate, after suitable inputs: after some sequence of events that take no
+    /// time.
     [[nodiscard]] bool goes_on(ModelState);
     [[nodiscard]] std::string describe(ModelState) const;
     /// The state as M packs it; valid until another state is added.
     [[nodiscard]] lts::StateView view(ModelState) const;
-    /// Called for every expanded state; may throw. Empty: none.
+    /// Sets a function that is called for every expanded state and may throw. Empty: none.
     void watch(const std::function<void()>& poll) { poll_ = poll; }
     [[nodiscard]] std::size_t size() const { return edges_.size(); }
 

@@ -47,7 +47,7 @@ private:
         result_.input_types.push_back(type);
     }
 
-    /// Values with parts are numbered in the order of their carrier, as in the code's interface.
+    /// Numbers values with parts in the order of their carrier, as the code's interface does.
     void values(Register& shown, ir::TypeId type) const {
         const bool whole = cpp_emit::composed(system_.type(type));
         for (const ir::Value& value : ir::carrier(system_, instantiation_, type)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface of a component computed from the model, without generated code: for recorded runs, monitors and test
-// suites. Registers and outputs are in the order of the code's own interface (cpp_emit/runtime/explore_abi.h).
+// Computes the interface of a component from the model, without generated code, for recorded runs, monitors and test
+// suites. Registers and outputs have the same order as in the code's own interface (cpp_emit/runtime/explore_abi.h).
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ struct ModelInterface {
     DataIndependence passed_on;
 };
 
-/// No value, with diagnostics, if no C++ can be generated for the component.
+/// Returns no value, with diagnostics, if no C++ can be generated for the component.
 [[nodiscard]] std::optional<ModelInterface> model_interface(const ir::System&, const ir::Instantiation&,
                                                             const ir::ComponentRef&, const csp_emit::Provenance&,
                                                             diagnostics::Diagnostics&);

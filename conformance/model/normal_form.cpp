@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulation assumptions written in CSPM (docs/conformance.md, "The normal form"). Untimed operators with tock as
-// an ordinary event: a process without tock stops time, which makes writes and reads instantaneous.
+// Writes the simulation assumptions in CSPM (docs/conformance.md, "The normal form"). The operators are untimed, with
+// tock as an ordinary event. A process without tock stops time, which makes writes and reads instantaneous.
 #include "conformance/model/normal_form.hpp"
 
 #include <fmt/format.h>
@@ -32,7 +32,8 @@ std::string value_name(std::size_t index) {
     return fmt::format("x__{}", index);
 }
 
-/// Terminate -> SKIP, with an event that the normal form declares, because not every component has a `terminate`.
+/// `terminate -> SKIP` with an event that the normal form declares, because not every component has an event
+/// `terminate`.
 ExprPtr end() {
     return b::prefix(b::name(end_event), b::skip());
 }
@@ -228,7 +229,7 @@ private:
                                model_events(true, true, {"registerRead", "tock", end_event}), b::name("TA3__"));
     }
 
-    /// The model without the external writes that the environment never makes.
+    /// The model without external writes that the environment never makes.
     [[nodiscard]] ExprPtr unwritten(const ExprPtr& model) const {
         std::vector<ExprPtr> blocked;
         for (const std::string& channel : alphabet_.interface().blocked) blocked.push_back(model_event(channel));

@@ -20,9 +20,9 @@ struct NormalFormScript {
     cspm::ExprPtr process;             ///< NF_c(M)
 };
 
-/// `model` is the process to be run in cycles, in the scope of `script`, with the events of the alphabet's interface
-/// below its component name. Throws AlphabetError if the script lacks a channel of the interface or already uses a name
-/// that the normal form declares.
+/// Writes the normal form. `model` is the process to be run in cycles, in the scope of `script`. It has the events of
+/// the alphabet's interface below its component name. Throws AlphabetError if the script lacks a channel of the
+/// interface, or already uses a name that the normal form declares.
 [[nodiscard]] NormalFormScript normal_form(const cspm::Script& script, const cspm::ExprPtr& model, const Alphabet&,
                                            std::uint32_t cycle_length, Reading);
 

@@ -11,8 +11,8 @@ namespace robochart::conformance {
 
 namespace {
 
-// Layout of a packed state. It is followed, with Outputs::once, by the mask of outputs written in this cycle, and by
-// one word for each register: 0 if there is nothing to consume, otherwise the reading.
+// Layout of a packed state. With Outputs::once, the mask of outputs written in this cycle follows. Then there is one
+// word for each register: 0 if it is empty, otherwise the reading.
 enum Field : std::size_t { phase, progress, model_state, pending, fields };
 enum Phase : lts::Word {
     reading,  ///< progress: the next register
@@ -25,7 +25,7 @@ enum Phase : lts::Word {
 };
 /// Content of a register that was not read (Frame::unread).
 constexpr lts::Word not_read = 0xffffffffU;
-/// Model state after M's own ✓, before `terminate`.
+/// State of the model after M's own ✓, before `terminate`.
 constexpr lts::Word gone = 0xffffffffU;
 
 }  // namespace
@@ -74,8 +74,9 @@ void NormalFormSystem::initial(std::span<lts::Word> state) {
     begin_cycle(state);
 }
 
-// A2 starts again with all outputs, A3 with all reads. Contents that A1 still holds cannot be consumed before they are
-// read again (A3), so they are cleared here: the state is equivalent, and there are fewer states.
+// A new cycle: A2 starts again with all outputs, A3 with all reads. The contents that A1 still stores cannot be
+// consumed before the registers are read again (A3), so they are cleared here. The state is equivalent, and there are
+// fewer states.
 void NormalFormSystem::begin_cycle(std::span<lts::Word> state) const {
     std::fill(state.begin() + fields, state.end(), 0U);
     state[phase] = inputs_ == 0 ? acting : reading;
@@ -221,7 +222,8 @@ void NormalFormSystem::model_step(Move& move, const ModelEdge& edge) {
     }
 }
 
-// A1: only what was read in this cycle, once. A3: not before all registers are read. H: hidden.
+// A1: an input happens only with the reading of this cycle, and only once. A3: not before all registers are read. H:
+// hidden.
 void NormalFormSystem::input(Move& move, const ModelEdge& edge) {
     lts::Word& held = move.next[fields + mask_words_ + edge.role.index];
     if (move.from[phase] != acting) return;
@@ -257,7 +259,8 @@ void NormalFormSystem::repeat(Move& move) {
     move.sink.add(repeats_, move.next, repeats_);
 }
 
-// A2: no tock while a report is pending. A3: none while reading; after the first of a cycle's tocks only tocks.
+// A2: no tock while a report is pending. A3: no tock while registers are read. After the first tock of a cycle only
+// tocks follow.
 void NormalFormSystem::pass_time(Move& move, const ModelEdge& edge) {
     const lts::Word at = move.from[phase];
     if (at == reading || move.from[pending] != 0) return;

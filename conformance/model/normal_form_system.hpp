@@ -39,8 +39,8 @@ struct Frame {
     Outputs outputs = Outputs::sequence;
     Deadlines deadlines = Deadlines::stop;
     bool writes_hidden = false;  ///< endless outputs are then a divergence
-    /// A register may also be left unread, which is the event `unread`. If something depends on its reading, the event
-    /// `asks` is possible, and other possible events have no meaning.
+    /// A register may also be left unread, by the event `unread`. If the behaviour depends on the reading of such a
+    /// register, the event `asks` is possible, and the other possible events are meaningless.
     bool unread = false;
 };
 
@@ -67,17 +67,17 @@ public:
     void watch(const std::function<void()>& poll) override { model_->watch(poll); }
     /// Whether a cycle may begin in the state: nothing has been read or written yet.
     [[nodiscard]] bool begins_cycle(lts::StateView state) const;
-    /// Why nothing can happen in the state, if that is so.
+    /// The reason why the state has no transitions; `none` if it has some.
     [[nodiscard]] Standstill standstill(lts::StateView state);
     /// The state of M; no value after its termination.
     [[nodiscard]] std::optional<ModelState> model(lts::StateView state) const;
-    /// The events of Outputs::once and Deadlines::mark.
+    /// The events for a repeated output (Outputs::once) and a missed deadline (Deadlines::mark).
     [[nodiscard]] process::Event repeats() const { return repeats_; }
     [[nodiscard]] process::Event deadline() const { return deadline_; }
     /// The events of Frame::unread.
     [[nodiscard]] process::Event unread(std::uint32_t input) const { return unread_[input]; }
     [[nodiscard]] process::Event asks(std::uint32_t input) const { return asks_[input]; }
-    /// The description of M's state, as M prints it; "" after termination.
+    /// The text that M prints for its state; "" after termination.
     [[nodiscard]] std::string describe_model(lts::StateView state) const;
 
 private:

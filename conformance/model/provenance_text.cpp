@@ -15,7 +15,7 @@ std::string with_place(const std::string& text, const ir::Origin& origin, const 
     return place.empty() ? text : fmt::format("{} ({})", text, place);
 }
 
-/// Names of definitions in "A::S1__(0, 1) ‖ B::S2__": each part up to its parenthesis.
+/// The names of definitions in "A::S1__(0, 1) ‖ B::S2__": each part up to its parenthesis.
 std::vector<std::string> definitions_in(const std::string& description) {
     constexpr std::string_view between = "‖";
     std::vector<std::string> names;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model with the names of its script: if a name has another meaning in CSPM, model and code are compared under the
+// The model with the names of its script. If a name has another meaning in CSPM, model and code are compared under the
 // name with a number appended (csp_emit/passes/safe_names.hpp).
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace robochart::conformance {
 
-/// The renamed system, shared by all components of a model. It has no CSP blocks and properties, which belong to
+/// The renamed system, which all components of a model share. It has no CSP blocks and no properties, which belong to
 /// assertions: a block that replaces the instantiation would give the model other values than the code.
 struct RenamedSystem {
     ir::System system;

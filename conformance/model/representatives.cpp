@@ -25,13 +25,15 @@ namespace {
 /// Maximal number of attempts to find an unused value.
 constexpr std::size_t attempts = 64;
 
-/// Values that differ in every part: each leaf takes the next value of its carrier; `shift` is the first one's offset.
+/// Makes values that differ in every part: each leaf takes the next value of its carrier. `shift` is the offset of the
+/// first one.
 class Sample {
 public:
     Sample(const ir::System& system, const ir::Instantiation& instantiation, std::size_t shift)
         : system_(system), instantiation_(instantiation), next_(shift) {}
 
-    /// Recursion depth: the depth of types. No value for functions and relations, whose values have no fixed shape.
+    /// A value of the type; no value for functions and relations, whose values have no fixed shape. Recursion depth:
+    /// the depth of types.
     std::optional<ir::Value> of(ir::TypeId id) {
         const ir::Type& type = system_.type(id);
         switch (type.kind) {
@@ -136,8 +138,8 @@ private:
         return types;
     }
 
-    /// A type that is passed on as a whole is represented as a whole; otherwise its parts are. Recursion depth: the
-    /// depth of types.
+    /// Represents a type as a whole if the component passes on its values as a whole; otherwise represents its parts.
+    /// Recursion depth: the depth of types.
     void parts_first(ir::TypeId id) {
         if (!seen_.insert(id.index).second) return;
         if (independent_.of(system_, id) && represent(id)) return;
@@ -183,7 +185,8 @@ private:
         for (const cpp_emit::StoredVariable& stored : component_.variables) take(stored.variable->type, stored.initial);
     }
 
-    /// A kind of numbers at the boundary: the initial and written numbers of the component, and the two next to them.
+    /// Represents a kind of numbers at the boundary by the initial and written numbers of the component and two further
+    /// numbers.
     void numbers(ir::TypeKind kind, std::vector<std::int64_t>& carrier) {
         const bool used =
             std::ranges::any_of(seen_, [&](std::uint32_t index) { return system_.types[index].kind == kind; });

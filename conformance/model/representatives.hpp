@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Few values for all: finite carriers for a component that only passes values on. See docs/conformance.md, "Few values
-// for all".
+// Chooses finite carriers for a component that only passes values on: few values represent all. See
+// docs/conformance.md, "Few values for all".
 #pragma once
 
 #include <cstddef>
@@ -20,18 +20,19 @@ struct RepresentedType {
     std::size_t values = 0;  ///< number of values that represent all
 };
 
-/// An instantiation with fewer values, and the types that have fewer. No types: nothing is represented.
+/// An instantiation with fewer values, and the types with fewer values. No types: all values are explored.
 struct Representatives {
     ir::Instantiation instantiation;
     std::vector<RepresentedType> types;
 };
 
-/// For a component whose inputs or outputs have more values than can be explored: for each data independent type, the
-/// values of constants and initial values, and two more. The two differ from all of these and from each other in every
-/// part, and their parts differ if the carriers of the parts allow it, so that lost or exchanged parts are detected.
+/// For a component whose inputs or outputs have more values than can be explored. For each data independent type, the
+/// representatives are the values of constants, the initial values, and two further values. These two differ from all
+/// others and from each other in every part. Their own parts differ, too, if the carriers allow it, so that lost or
+/// exchanged parts are detected.
 [[nodiscard]] Representatives representatives(const ir::System&, const ir::Instantiation&, const cpp_emit::Component&);
 
-/// Whether few values represent the type, or one of its parts.
+/// Whether few values represent the type or one of its parts.
 [[nodiscard]] bool represented(const ir::System&, const Representatives&, ir::TypeId);
 
 }  // namespace robochart::conformance

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors in a log of a run that are detected before it is compared with the model (docs/traces.md), and the reasons why
-// a model cannot be run in control cycles, or only by some robots (docs/conformance.md, "Why a model is not
+// Errors in a log of a run that are detected before the log is compared with the model (docs/traces.md). Also the
+// reasons why a model cannot be run in control cycles, or only by some robots (docs/conformance.md, "Why a model is not
 // schedulable").
 #pragma once
 

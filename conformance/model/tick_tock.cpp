@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// See tick_tock.hpp. Breadth-first search over pairs of a state of the implementation and the set of states that the
-// specification may be in after the same observation, including refusals before tocks. Only the largest refusal of each
-// state is followed: the model is closed under smaller ones (its healthiness condition TT1).
+// See tick_tock.hpp. Breadth-first search over pairs: a state of the implementation, and the set of states that the
+// specification may have reached after the same observation, including refusals before tocks. Only the largest refusal
+// of each state is followed, because the model is closed under smaller ones (its healthiness condition TT1).
 #include "conformance/model/tick_tock.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using process::EventSet;
 using Members = std::vector<StateIndex>;
 using SetNumber = std::uint32_t;
 
-/// Sets of states that the specification may be in, closed under τ, numbered.
+/// Numbers sets of states that the specification may have reached. The sets are closed under τ.
 class Sets {
 public:
     Sets(lts::TransitionSystem& system, refine::Budget& budget, Event tock)
@@ -35,7 +35,7 @@ public:
             for (const auto& edge : graph_.edges(state, event)) next.push_back(edge.target);
         return number(next);
     }
-    /// The set after a tock before which everything except `offered` was refused.
+    /// The set after a tock before which every event except `offered` was refused.
     SetNumber after_tock(SetNumber set, const EventSet& offered) {
         Members next;
         for (const StateIndex state : Members(members(set))) {

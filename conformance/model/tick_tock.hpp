@@ -7,10 +7,10 @@
 
 namespace robochart::conformance {
 
-/// specification [TT= implementation, both under maximal progress: tock only if neither τ nor ✓ is possible. The model
-/// does not observe divergence, and neither does this check. The two share one EventTable. A counterexample ends with
-/// the event that the specification does not have (`trace`; possibly a tock, which it does not have after such
-/// refusals), or in a state in which the implementation refuses too much (`refusal`).
+/// Checks specification [TT= implementation, both under maximal progress: tock only if neither τ nor ✓ is possible.
+/// Like the model, the check does not observe divergence. The two systems share one EventTable. A counterexample ends
+/// in one of two ways. `trace`: with an event that the specification does not have, possibly a tock after these
+/// refusals. `refusal`: in a state in which the implementation refuses too much.
 [[nodiscard]] refine::Verdict tick_tock_refines(lts::TransitionSystem& specification,
                                                 lts::TransitionSystem& implementation, process::Event tock,
                                                 const refine::Limits&);

@@ -42,7 +42,7 @@ CycleCache::Channel CycleCache::channel(const MonitorChannel& table, const cpp_e
     return result;
 }
 
-/// Arguments with the same range share the cache.
+/// Arguments with the same range share a carrier.
 std::uint32_t CycleCache::carrier(const MonitorValues& values, bool real) {
     const auto same = [&](const Carrier& other) {
         const MonitorValues& others = *other.values;
@@ -74,7 +74,7 @@ inline std::uint32_t CycleCache::place(std::uint32_t number, rc_value value) {
     return new_place(carrier, value);
 }
 
-/// Rare, and in a separate function to keep the frequent path small.
+/// Rare calls, in a separate function to keep the frequent path small.
 [[gnu::noinline]] std::uint32_t CycleCache::new_place(Carrier& carrier, rc_value value) {
     if (!carrier.real) return Monitor::place_of(*carrier.values, value.whole);
     std::uint64_t bits = 0;
@@ -103,7 +103,7 @@ inline std::uint32_t CycleCache::place(std::uint32_t number, rc_value value) {
     return output.column[at];
 }
 
-/// False if a reading is not finite.
+/// Returns false if a reading is not finite.
 inline bool CycleCache::shorten(const rc_signal* inputs, Key& key) {
     std::uint64_t present = 0;
     for (const rc_signal* input = inputs; input != inputs + input_count_; ++input)
@@ -126,7 +126,7 @@ inline CycleCache::Slot& CycleCache::slot(const Key& key) {
     return slots_[mixed >> 53U];
 }
 
-/// Compares most values by their bits, and numbers that are only passed on by the value that represents them.
+/// Compares most values by their bits. Compares numbers that are only passed on by the value that represents them.
 inline bool CycleCache::same(const Done& done, const rc_action& action) {
     std::uint64_t bits = 0;
     std::memcpy(&bits, &action.argument[0], sizeof bits);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Monitors for many controllers of one component: the results of whole cycles are cached, so that a cycle that any of
-// them has performed before, from the same state, costs one look-up instead of one for each event.
+// A cache for monitors of many controllers of one component. It stores results of whole cycles. If some controller has
+// performed the same cycle from the same state before, one look-up replaces one look-up for each event.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace robochart::conformance {
 
-/// Exact: a cached result is used only for the same state, the same readings and the same columns of outputs in the
-/// same order. Outputs seldom differ for equal states and readings, so few outcomes are stored for each. Not
+/// The cache is exact: a result is used only for the same state, the same readings, and the same columns of outputs in
+/// the same order. Outputs seldom differ for equal states and readings, so few outcomes are stored for each. Not
 /// thread-safe.
 class CycleCache {
 public:

@@ -31,7 +31,7 @@ struct Arc {
     std::uint32_t target;
 };
 
-/// The explored deterministic automaton of NF_c(M).
+/// The deterministic automaton of NF_c(M), as explored.
 struct Automaton {
     std::vector<std::vector<Arc>> arcs;              ///< by node, then by event
     std::vector<std::vector<std::string>> elements;  ///< by node, for nodes in which cycles begin
@@ -85,7 +85,7 @@ Automaton explored(CyclicModel& model, refine::Budget& budget, const diagnostics
     return result;
 }
 
-/// The class of each node: two nodes in the same class allow the same runs.
+/// The class of each node. Two nodes in the same class allow the same runs.
 std::vector<std::uint32_t> minimised(const Automaton& automaton, refine::Budget& budget) {
     std::vector<std::uint32_t> classes(automaton.size(), 0);
     for (std::size_t count = 0;;) {
@@ -163,7 +163,7 @@ private:
         build_->where_.push_back(build_->texts_.back().c_str());
     }
 
-    /// Events that lead from every state to the same state share a column.
+    /// Fills the columns. Events that lead from every state to the same state share a column.
     void fill() {
         std::map<process::Event, std::vector<std::uint16_t>> whole;
         for (std::uint16_t state = 0; state < representatives_.size(); ++state)
@@ -243,7 +243,7 @@ private:
                                   model_.boundary().passed_on.of(kind)});
     }
 
-    /// Recursion depth: the number of an output's arguments.
+    /// Adds a column for each combination of arguments. Recursion depth: the number of an output's arguments.
     void add_columns(MonitorBuild::Channel& channel, std::uint32_t output, std::vector<std::int64_t>& arguments) const {
         constexpr std::size_t most = 1U << 16U;
         if (channel.columns.size() > most) throw std::length_error(channel.name + " has too many values together");

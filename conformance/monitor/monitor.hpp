@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The normal form of a component as dense tables for a monitor (cpp_emit/runtime/monitor.hpp): NF_c(M), determinised
-// and minimised, with equal columns shared. Traces only, because a monitor sees only events that happen.
+// and minimised, with equal columns shared. The tables represent only traces, because a monitor sees only the events
+// that happen.
 #pragma once
 
 #include <deque>
@@ -18,7 +19,7 @@ namespace robochart::conformance {
 /// The tables and all data to which they point.
 class MonitorBuild {
 public:
-    /// Throws std::length_error if the tables would be too large, process::Interrupted at a limit.
+    /// Builds the tables. Throws std::length_error if they would be too large, process::Interrupted at a limit.
     [[nodiscard]] static std::unique_ptr<MonitorBuild> make(CyclicModel&, const refine::Limits&,
                                                             const diagnostics::SourceManager&);
     [[nodiscard]] const MonitorTables& tables() const { return tables_; }

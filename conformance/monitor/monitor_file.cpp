@@ -14,7 +14,8 @@ std::string literal(const char* text) {
     return text == nullptr ? "nullptr" : diagnostics::cpp_string(text);
 }
 
-/// "in S1 (models/a.rct:56)" without the folder, so that generated text does not depend on the location of the model.
+/// The text of a place, "in S1 (models/a.rct:56)", without the folder, so that generated text does not depend on the
+/// location of the model.
 std::string without_folders(const char* text) {
     std::string result;
     std::size_t bracket = std::string::npos;
@@ -31,7 +32,7 @@ std::string place_literal(const char* text) {
     return text == nullptr ? "nullptr" : literal(without_folders(text).c_str());
 }
 
-/// A table of numbers, several in each line.
+/// The text of a table of numbers, with several numbers on each line.
 template <class Number>
 std::string table(const std::string& type, const std::string& name, const Number* numbers, std::size_t count,
                   std::size_t a_line) {

@@ -82,7 +82,8 @@ private:
         std::size_t next = 0;
     };
 
-    /// Follows every path to the end of the cycle. A path that returns to a node before time passes has no end.
+    /// Follows every path to the end of the cycle. Throws for a path that returns to a node before time passes, which
+    /// has no end.
     void act(Node from, std::vector<CycleStep>& branches) {
         std::vector<Place> way;
         std::vector<process::Event> writes;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The normal form as a finite state machine over control cycles: a state is a possible beginning of a cycle, an input
-// symbol is one reading of every register, an output symbol is the sequence of writes in the cycle. Complete and
-// minimal; deterministic, or, if the model leaves a choice, with several steps for one input that differ in their
-// writes.
+// The normal form as a finite state machine over control cycles. A state is a possible beginning of a cycle, an input
+// symbol is one reading of every register, and an output symbol is the sequence of writes in the cycle. The machine is
+// complete and minimal. It is deterministic unless the model leaves a choice; then an input may have several steps,
+// which differ in their writes.
 #pragma once
 
 #include <cstdint>
@@ -33,13 +33,14 @@ struct ChoiceAutomaton {
     std::vector<std::vector<std::vector<CycleStep>>> branches;  ///< [state][symbol], at least one
 
     [[nodiscard]] std::size_t states() const { return branches.size(); }
-    /// Whether no input has a second branch.
+    /// Whether every input has a single branch.
     [[nodiscard]] bool deterministic() const;
 };
 
-/// Throws std::length_error if it is too large, process::Interrupted at a limit.
+/// Explores the machine. Throws std::length_error if it is too large, process::Interrupted at a limit.
 [[nodiscard]] ChoiceAutomaton choice_automaton(CyclicModel&, const refine::Limits&);
-/// Throws std::length_error if it is too large or the model leaves a choice, process::Interrupted at a limit.
+/// Explores a deterministic machine. Throws std::length_error if it is too large or the model leaves a choice,
+/// process::Interrupted at a limit.
 [[nodiscard]] CycleAutomaton cycle_automaton(CyclicModel&, const refine::Limits&);
 
 }  // namespace robochart::conformance

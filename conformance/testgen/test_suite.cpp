@@ -32,7 +32,7 @@ public:
     }
 
 private:
-    /// A shortest word to every state (all are reachable).
+    /// Finds a shortest word to every state (all states are reachable).
     void cover() {
         cover_.resize(machine_.states());
         std::vector<bool> seen(machine_.states());
@@ -55,8 +55,8 @@ private:
         return x.writes != y.writes || (x.target == over) != (y.target == over);
     }
 
-    /// For each pair of states, the first symbol of a shortest word that distinguishes them; harmonised, because both
-    /// states use the same word.
+    /// Finds for each pair of states the first symbol of a shortest word that distinguishes them. The identifiers are
+    /// harmonised, because both states use the same word.
     void identify() {
         const std::size_t n = machine_.states();
         if (n * n > (1U << 24U)) throw std::length_error("it has too many states for a test suite");
@@ -130,7 +130,8 @@ private:
         if (cycles_ > most_) throw std::length_error(fmt::format("a complete suite has more than {} cycles", most_));
     }
 
-    /// In lexicographic order, words that begin with a word follow it.
+    /// The words that are not a prefix of another word. In lexicographic order, a word is followed by those that begin
+    /// with it.
     [[nodiscard]] std::vector<TestWord> without_beginnings() const {
         std::vector<TestWord> result;
         for (auto at = tests_.begin(); at != tests_.end(); ++at) {

@@ -13,19 +13,19 @@
 
 namespace robochart::conformance {
 
-/// Input symbols, cycle by cycle, from the initial state.
+/// One input symbol for each cycle, from the initial state.
 using TestWord = std::vector<std::uint32_t>;
 
-/// Sorted; no word is a prefix of another. Throws std::length_error if all words together are longer than
-/// `most_cycles`.
+/// The words of the suite, sorted; no word is a prefix of another. Throws std::length_error if all words together are
+/// longer than `most_cycles`.
 [[nodiscard]] std::vector<TestWord> complete_suite(const CycleAutomaton&, std::uint32_t extra_states,
                                                    std::size_t most_cycles = 2'000'000);
 
 /// The suite as a log of runs (docs/traces.md): an implementation must produce the outputs of the model.
 [[nodiscard]] std::string suite_log(const CycleAutomaton&, const std::vector<TestWord>&, const CyclicModel&,
                                     const std::string& component, std::uint32_t extra_states);
-/// The machine of a model that leaves a choice, for tests that adapt to the implementation
-/// (cpp_emit/runtime/adaptive.hpp), and a GoogleTest program that runs them.
+/// The machine of a model that leaves a choice, and a GoogleTest program that runs tests which adapt to the
+/// implementation (cpp_emit/runtime/adaptive.hpp).
 [[nodiscard]] std::string choice_graph(const ChoiceAutomaton&, const CyclicModel&, const std::string& component,
                                        std::uint32_t extra_states);
 [[nodiscard]] std::vector<cpp_emit::OutputFile> adaptive_sources(const std::string& name);

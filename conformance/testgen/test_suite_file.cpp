@@ -20,7 +20,7 @@ std::vector<std::string> shown_names(const std::vector<Channel>& channels) {
     return cpp_emit::trace_names(names);
 }
 
-/// Converts "a, b" outside brackets and quotes to "a!b". Quotes inside a string are octal escapes here, as in logs.
+/// Converts "a, b" outside brackets and quotes to "a!b". As in logs, quotes inside a string are octal escapes here.
 std::string arguments(const std::string& text) {
     std::string result;
     int depth = 0;
@@ -41,7 +41,7 @@ std::string arguments(const std::string& text) {
     return result;
 }
 
-/// Readings and writes as in logs.
+/// Writes readings and outputs as in logs.
 class Wording {
 public:
     explicit Wording(const CyclicModel& model)
@@ -241,7 +241,8 @@ std::string named(const std::string& text, const std::string& name) {
     return replaced(text, "@NAME@", name);
 }
 
-/// The comparison of words, taken from the header of adaptive tests, because the test of a suite is a single file.
+/// The function that compares words. It is copied from the header of adaptive tests, because the test of a suite is a
+/// single file.
 std::string same_word() {
     const std::string header = cpp_emit::adaptive_header();
     const std::size_t begin = header.find("/// Numbers are compared by value");

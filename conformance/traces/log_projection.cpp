@@ -13,7 +13,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// First word of the state before the initial state is known; no phase of NF_c(M) has this number.
+/// First word of the packed state while the initial state is unknown. No phase of NF_c(M) has this number.
 constexpr lts::Word anywhere = 0xffffffffU;
 
 bool unknown(lts::StateView state) {

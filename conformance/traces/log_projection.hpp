@@ -9,7 +9,7 @@
 
 namespace robochart::conformance {
 
-/// The kinds of events that a log contains. Other events may or may not have happened, with any values.
+/// The kinds of events that a log contains. Any other event may have happened, with any values.
 struct Observation {
     std::vector<bool> inputs;   ///< by register
     std::vector<bool> outputs;  ///< by output
@@ -32,7 +32,7 @@ public:
     [[nodiscard]] bool hidden(process::Event event);
     /// Whether no hidden step is possible.
     [[nodiscard]] bool stable(lts::StateView state);
-    /// "" if it is not known yet; see NormalFormSystem::describe_model.
+    /// The description of the model's state (NormalFormSystem::describe_model); "" if the state is not known yet.
     [[nodiscard]] std::string describe_model(lts::StateView state) const;
 
 private:

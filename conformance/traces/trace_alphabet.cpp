@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maps names and values of a log to events of NF_c(M), by the model's names or, if two share one, those of the
-// generated interface.
+// Maps names and values of a log to events of NF_c(M). The names are the model's, or those of the generated interface
+// if two elements share a name.
 #include "conformance/traces/trace_alphabet.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ std::vector<std::string> full_names(const std::vector<Channel>& channels) {
     return names;
 }
 
-/// Indexed by both names.
+/// The index of each name, under its full and its short form.
 std::unordered_map<std::string, std::uint32_t> numbered(const std::vector<std::string>& full,
                                                         const std::vector<std::string>& shown) {
     std::unordered_map<std::string, std::uint32_t> ids;
@@ -31,7 +31,7 @@ std::unordered_map<std::string, std::uint32_t> numbered(const std::vector<std::s
     return ids;
 }
 
-/// Splits at `!` outside brackets and quotes.
+/// Splits a text at every `!` outside brackets and quotes.
 std::vector<std::string_view> arguments(std::string_view text) {
     std::vector<std::string_view> parts;
     int depth = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of a log as events of NF_c(M): `e?v` is a reading, `o!a!b` a write (docs/traces.md). Values outside the finite
-// instantiation are distinguished from those inside.
+// Maps words of a log to events of NF_c(M): `e?v` is a reading, `o!a!b` a write (docs/traces.md). Distinguishes values
+// inside and outside the finite instantiation.
 #pragma once
 
 #include <optional>
@@ -29,9 +29,9 @@ class TraceAlphabet {
 public:
     explicit TraceAlphabet(const CyclicModel&);
 
-    /// Throws TraceFault. The reference is valid until the next call.
+    /// The event for a word. Throws TraceFault. The reference is valid until the next call.
     [[nodiscard]] const LoggedEvent& read(const TraceToken&);
-    /// A kind of event by its name with `?` or `!`. Throws TraceFault.
+    /// The kind of event for a name with `?` or `!`. Throws TraceFault.
     [[nodiscard]] LoggedEvent kind(const TraceToken&) const;
     /// The event in which `stand_in` replaces values outside their carriers.
     [[nodiscard]] process::Event stand_in(const LoggedEvent&, std::uint64_t salt) const;

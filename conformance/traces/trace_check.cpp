@@ -48,7 +48,7 @@ TraceChecker::Form& TraceChecker::form(const Observation& observation, bool late
     return *forms_.back();
 }
 
-/// The state while one log is read.
+/// Reads and checks one log.
 class TraceChecker::LogRun {
 public:
     LogRun(TraceChecker& checker, std::istream& in, const std::vector<std::string>& constants,
@@ -78,7 +78,7 @@ public:
     }
 
 private:
-    /// The effect of one word of a run: continue, or skip the rest of the run.
+    /// Whether the run continues after a word, or its remaining words are skipped.
     enum class Next { go_on, stop };
 
     void advance() { more_ = lines_.next(); }
@@ -175,7 +175,7 @@ private:
         done_ = ended_ = false;
     }
 
-    /// The run's state is unknown: the log starts late, or cycles were lost.
+    /// Handles a log that starts late, or lost cycles: the run's state is unknown.
     void anywhere(std::string_view word) {
         if (tokens_.size() > 1 || (word == "late" && run_->cycles > 0))
             fault_here("`late` alone before the first cycle, or `lost`");
@@ -210,7 +210,7 @@ private:
         for (const TraceToken& token : tokens_) {
             if (token.text == "run" || token.text == "late" || token.text == "lost")
                 fault_here("one event after the other");
-            // Words after a verdict are still parsed, because syntax errors are always reported.
+            // words after a verdict are still parsed, because syntax errors are always reported
             const Next next = word(token);
             if (next == Next::stop) done_ = true;
         }
@@ -240,7 +240,7 @@ private:
     }
 
     /// The event in NF_c(M). If the component only passes a value on, a value inside the finite instantiation replaces
-    /// one outside; any other value outside leaves the run undecided.
+    /// a value outside. Any other value outside leaves the run undecided.
     std::optional<process::Event> in_carrier(const LoggedEvent& event, const TraceToken& token) {
         if (event.event != process::tau) return event.event;
         for (const LoggedValue& value : event.values) {
@@ -339,7 +339,8 @@ private:
         return Next::stop;
     }
 
-    /// The elements of the stable states at the cycle's beginning; of all states if none is stable.
+    /// Reports the elements of the states at the cycle's beginning: of the stable states, or of all states if none is
+    /// stable.
     void tell_elements() {
         const std::vector<lts::StateView> states = form_->normal_form.states(cycle_node_);
         for (const bool still : {true, false}) {

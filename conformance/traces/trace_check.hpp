@@ -63,14 +63,14 @@ struct LogReport {
 
 class TraceChecker {
 public:
-    /// `component`: names that logs may use for it.
+    /// `component` contains the names that logs may use for the component.
     TraceChecker(CyclicModel&, std::vector<std::string> component, const refine::Limits&,
                  const diagnostics::SourceManager&);
     ~TraceChecker();
 
-    /// Reads one log to its end, or to the first line that cannot be parsed. `constants`: those of its header with
-    /// which the model was built; other ones are an error (RC-L04). `tell` is called with every run that is not
-    /// accepted. Throws process::Interrupted at a limit.
+    /// Reads one log to its end, or to the first line that cannot be parsed. `constants` contains the constants of the
+    /// log's header with which the model was built; any other constant is an error (RC-L04). Calls `tell` with every
+    /// run that is not accepted. Throws process::Interrupted at a limit.
     LogReport check(std::istream&, const std::vector<std::string>& constants,
                     const std::function<void(const RunReport&)>& tell);
 

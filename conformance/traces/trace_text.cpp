@@ -20,7 +20,7 @@ bool blank(char c) {
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/// The end of the word at `begin`, which is not a blank.
+/// The end of the word that begins at `begin`.
 std::size_t end_of_word(std::string_view line, std::size_t begin) {
     int depth = 0;
     bool quoted = false;

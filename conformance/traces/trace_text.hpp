@@ -19,7 +19,7 @@ struct TraceToken {
     std::uint32_t column = 0;
 };
 
-/// Thrown if a log cannot be parsed; the reader adds line and text.
+/// Thrown if a log cannot be parsed. The reader adds the line's number and text.
 struct TraceFault {
     const diagnostics::Rule* rule = nullptr;
     std::vector<std::string> arguments;
@@ -27,7 +27,7 @@ struct TraceFault {
     std::uint32_t length = 1;
 };
 
-/// Splits `line` without its comment into words; blanks inside brackets and quotes do not separate words.
+/// Splits `line` into words and drops its comment. Blanks inside brackets and quotes do not separate words.
 void split_line(std::string_view line, std::vector<TraceToken>& tokens);
 
 struct TraceHeader {
@@ -40,16 +40,17 @@ struct TraceHeader {
     std::vector<std::uint32_t> unobserved_line;  ///< line of each, for errors
 };
 
-/// Reads one line of the header; false if the line does not belong to the header. Throws TraceFault.
+/// Reads one line of the header. Returns false if the line does not belong to the header. Throws TraceFault.
 [[nodiscard]] bool read_header_line(const std::vector<TraceToken>&, TraceHeader&, std::uint64_t line);
 
-/// Lines of a stream without its byte order mark, with at most `longest` bytes each.
+/// Reads the lines of a stream without its byte order mark. A line has at most `longest` bytes.
 class LineReader {
 public:
     static constexpr std::size_t longest = 1U << 20U;
 
     explicit LineReader(std::istream& in) : in_(in) {}
-    /// False at the end. Throws TraceFault for lines that are too long or contain zero bytes.
+    /// Reads the next line; returns false at the end. Throws TraceFault for lines that are too long or contain zero
+    /// bytes.
     [[nodiscard]] bool next();
     [[nodiscard]] std::string_view text() const { return line_; }
     [[nodiscard]] std::uint64_t number() const { return number_; }

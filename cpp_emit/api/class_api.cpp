@@ -57,7 +57,8 @@ private:
         return found == api_.bases.end() ? api_.own : *found;
     }
 
-    /// The name itself if it is free; with `suffix` if, for example, an event and an operation have the same name.
+    /// The name itself if it is free. Otherwise the name with `suffix`, for example if an event and an operation have
+    /// the same name.
     std::string member(const std::string& name, const char* suffix) {
         NameScope trial = members_;
         const std::string plain = trial.unique(name);
@@ -106,7 +107,7 @@ private:
                     .variables.push_back({&stored, member(stored.variable->name, "_variable"), copies(stored)});
     }
 
-    /// The members in which the other machines store the variable.
+    /// The members in which the other machines store their copies of the variable.
     [[nodiscard]] std::vector<std::string> copies(const StoredVariable& first) const {
         std::vector<std::string> paths;
         for (const StoredVariable& stored : component_.variables)

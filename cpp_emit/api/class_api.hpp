@@ -28,7 +28,7 @@ struct ApiEvent {
     std::string flag;
     std::string value;
     bool sent = false;
-    std::string method;  ///< for received events: raises the event; for sent ones: called when the event is sent
+    std::string method;  ///< of a received event: raises the event; of a sent one: called when the event is sent
 };
 
 struct ApiVariable {
@@ -53,7 +53,7 @@ struct ApiTimer {
     const ir::Clock* clock = nullptr;
 };
 
-/// The members that show the state of one of the component's machines.
+/// The members of the class that show the state of one of the component's machines.
 struct ApiMachine {
     std::string method;               ///< "state"; for several machines "state_stm0"
     std::string enumeration;          ///< "States"
@@ -93,13 +93,14 @@ void each_class(const ClassApi& api, const Visit& visit) {
 [[nodiscard]] std::string console_source(const Generation&, const Core&, const ClassApi&);
 [[nodiscard]] std::string build_file(const ClassApi&);
 
-/// double, std::int64_t, bool, or a type declared in the core; `core` is the core's namespace as seen from the user's.
+/// The C++ name of a type in the deployed code: double, std::int64_t, bool, or a type declared in the core. `core` is
+/// the core's namespace as seen from the user's namespace.
 [[nodiscard]] Spelling deployed(const std::string& core);
 [[nodiscard]] std::string deployed_type(const Generation&, const std::string& core, ir::TypeId);
-/// A value in the deployed types: `-0.75`, `3`, `true`, `core::Light::Red`.
+/// The C++ text of a value in the deployed types: `-0.75`, `3`, `true`, `core::Light::Red`.
 [[nodiscard]] std::string deployed_value(const Generation&, const Core&, ir::TypeId, const ir::Value&);
 
-/// The name, extended if a member of the class already has it.
+/// The name, extended if the class already has a member with this name.
 [[nodiscard]] std::string free_member(const ClassApi&, std::string name);
 
 }  // namespace robochart::cpp_emit

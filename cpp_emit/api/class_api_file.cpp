@@ -21,14 +21,14 @@ std::string parameters(const Generation& generation, const Core& core, const std
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// Parameters of a definition that does not use them; their names may also be members of the class.
+/// The parameters of a definition that does not use them. Their names may equal those of members of the class.
 std::vector<std::string> unused(const std::vector<std::string>& model_names) {
     std::vector<std::string> names = parameter_identifiers(model_names);
     for (std::string& name : names) name = "/*" + name + "*/";
     return names;
 }
 
-/// Parameters of a definition that passes them on; the names differ from all members of the class.
+/// The parameters of a definition that passes them on. Their names differ from those of all members of the class.
 std::vector<std::string> passed(std::size_t count) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < count; ++i) names.push_back(fmt::format("a{}", i));
@@ -78,7 +78,7 @@ void write_function_hooks(const Generation& generation, const Core& core, const 
     }
 }
 
-/// `raise_e(value)` for received events; `on_e(value)`, to be overridden, for sent ones.
+/// Writes `raise_e(value)` for received events, and for sent events `on_e(value)`, which the user overrides.
 void write_event_method(const Generation& generation, const Core& core, CodeWriter& out, const ApiEvent& event) {
     const std::string type = event.port->type ? deployed_type(generation, core.relative, *event.port->type) : "";
     out.gap();
@@ -95,7 +95,7 @@ void write_event_method(const Generation& generation, const Core& core, CodeWrit
     out.close();
 }
 
-/// Whether some action may take time while the event is awaited.
+/// Whether some action may take time while the machine awaits the event.
 bool may_be_lost(const Generation& generation, const Core& core, const ApiEvent& event) {
     std::size_t place = 0;  // index among the received events
     for (const EventPort& port : generation.component.events) {
@@ -193,7 +193,7 @@ void write_platform(const Generation& generation, const Core& core, const ClassA
     out.close("};");
 }
 
-/// Variables that others write are members here; a log contains those that have changed.
+/// In the classes, variables that others write are members; a log contains those that have changed.
 void write_outside_writes(const Core& core, const ClassApi& api, CodeWriter& out) {
     std::vector<const ApiVariable*> written;
     each_class(api, [&](const ApiClass& part) {

@@ -22,7 +22,8 @@ public:
     ReadingWriter(const Generation& generation, const Core& core, CodeWriter& out)
         : generation_(generation), core_(core), out_(out) {}
 
-    /// Writes how values of the declared types are read: by the names in the model; literals also by their number.
+    /// Writes functions that read values of the declared types by their names in the model; literals also by their
+    /// number.
     void write() {
         const std::vector<ir::TypeId>& declared = generation_.component.enumerations;
         if (declared.empty()) return;

@@ -10,16 +10,16 @@
 
 namespace robochart::cpp_emit {
 
-/// Events that the platform raises, in the order of Inputs.
+/// The events that the platform raises, in the order of Inputs.
 [[nodiscard]] std::vector<const EventPort*> input_events(const Component&);
 /// The name of the enumeration of these events: `Event`, unless the model has a type with that name.
 [[nodiscard]] std::string event_type(const Generation&);
-/// Writes the enumeration.
+/// Writes the enumeration `Event`.
 void write_event_type(const Generation&, CodeWriter&);
-/// Writes Step::dispatch. `direct` is its text for a machine whose programs never wait; "" for others, which run as in
-/// a cycle with one input.
+/// Writes Step::dispatch. `direct` is its text for a machine whose programs never wait. For other machines it is "",
+/// and dispatch runs a cycle with one input.
 void write_dispatch(const Generation&, const std::string& direct, CodeWriter&);
-/// Writes the functions of the namespace.
+/// Writes the functions of the event API in the core's namespace.
 void write_dispatch_functions(const Generation&, CodeWriter&);
 
 }  // namespace robochart::cpp_emit

@@ -39,7 +39,7 @@ bool MachinePlan::chooses(NodeId id) const {
     return !settles(id) && node(id).kind != NodeKind::state;
 }
 
-/// Searches from junction to junction for a path back to this one.
+/// Searches for a path from this junction through other junctions back to it.
 bool MachinePlan::in_loop(NodeId id) const {
     std::vector<bool> seen(machine().nodes.size(), false);
     std::vector<NodeId> open = {id};

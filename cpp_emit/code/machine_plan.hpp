@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The control points of a machine: the names of its nodes and transitions in the code, and which of them need separate
+// The control points of a machine: the names of its nodes and transitions in the code, and which of them have separate
 // code (semantics 3.3, 3.4).
 #pragma once
 
@@ -19,35 +19,37 @@ public:
     [[nodiscard]] const ir::Machine& machine() const { return *unit_.machine; }
     [[nodiscard]] const ir::Node& node(ir::NodeId id) const { return machine().nodes[id.index]; }
 
-    /// The label at which control rests in a state or final node, or chooses in an initial node or junction.
+    /// The label of a node: the place where control rests (states and final nodes) or chooses (initial nodes and
+    /// junctions).
     [[nodiscard]] const std::string& label(ir::NodeId id) const { return labels_[id.index]; }
     [[nodiscard]] const std::string& enter_label(ir::NodeId id) const { return enter_[id.index]; }
     [[nodiscard]] const std::string& exit_label(ir::NodeId id) const { return exit_[id.index]; }
     [[nodiscard]] const std::string& take_label(ir::TransitionId id) const { return take_[id.index]; }
-    /// Whether entering the node requires an action before control rests or chooses there.
+    /// Whether entering the node requires an action before control reaches this label.
     [[nodiscard]] bool needs_entry(ir::NodeId) const;
-    /// Whether control enters the node, up to the end of the node's own program, without waiting; a function does it.
-    /// If not, the program has places where it may wait, or the junction is part of a loop, which takes one step in
-    /// each round.
+    /// Whether control enters the node, up to the end of the node's own program, without waiting. The entry is then a
+    /// function. Otherwise the program has places where it may wait, or the junction is part of a loop, which takes one
+    /// step in each round.
     [[nodiscard]] bool straight(ir::NodeId id) const { return straight_[id.index]; }
     /// Whether no exit action of the state or of its inner states ever waits.
     [[nodiscard]] bool straight_exits(ir::NodeId id) const { return straight_exits_[id.index]; }
     /// Whether some inner state of the composite state has an exit action.
     [[nodiscard]] bool exits_below(ir::NodeId) const;
-    /// Whether this is the only transition of an initial node, without trigger and guard; entering the node takes it.
+    /// Whether the node is an initial node with a single transition, which has no trigger and no guard. Entering the
+    /// node then takes the transition.
     [[nodiscard]] bool passes(ir::NodeId) const;
 
-    /// Whether control rests here between transitions.
+    /// Whether control rests in the node between transitions.
     [[nodiscard]] bool settles(ir::NodeId id) const {
         return node(id).kind == ir::NodeKind::final || (node(id).kind == ir::NodeKind::state && !node(id).composite());
     }
-    /// Whether several transitions share an exit place of the state, because some exit action may wait.
+    /// Whether several transitions share a place for the state's exits, because some exit action may wait.
     [[nodiscard]] bool shared_exit(ir::NodeId) const;
     /// Whether Frame::leaving stores which transition of the state continues after the exits.
     [[nodiscard]] bool notes_leaving(ir::NodeId id) const { return shared_exit(id) && !straight_exits(id); }
-    /// Whether the transition has an exit or an action that may wait and runs after the trigger at take_label.
+    /// Whether the transition has an exit action or an action that may wait and runs after the trigger, at take_label.
     [[nodiscard]] bool acts(const ir::Transition&) const;
-    /// Whether entering the state has an effect: during action, clock of sinceEntry, deadline.
+    /// Whether entering the state has an effect: a during action, a clock of sinceEntry, or a deadline.
     [[nodiscard]] bool notes_entry(ir::NodeId) const;
     /// Whether the state must be left in time because some outgoing transition has a deadline.
     [[nodiscard]] bool watched(ir::NodeId) const;
@@ -55,7 +57,7 @@ public:
     [[nodiscard]] std::vector<ir::NodeId> chain(ir::NodeId) const;
     /// The enclosing states of a node, innermost first.
     [[nodiscard]] std::vector<ir::NodeId> ancestors(ir::NodeId) const;
-    /// Nodes in which control rests: the state itself, or those below a composite state.
+    /// Nodes in which control rests: the state itself, or the leaves inside a composite state.
     [[nodiscard]] std::vector<ir::NodeId> leaves(ir::NodeId) const;
     [[nodiscard]] bool has_noted_leaving() const;
     /// Final nodes at top level, in which the machine has terminated.

@@ -12,7 +12,8 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// The sender of a connection from which the event is received; with Fault::wrong_sender, another one of the same type.
+/// The sender of a connection from which the event is received. With Fault::wrong_sender, another sender of the same
+/// type.
 const EventUse& heard(const Generation& generation, const EventUse& sender) {
     for (const Part& part : generation.component.parts) {
         for (const EventUse& use : part.events) {
@@ -24,7 +25,7 @@ const EventUse& heard(const Generation& generation, const EventUse& sender) {
     return sender;
 }
 
-/// The last field of a value replaces that of `variable`; the other fields are unchanged.
+/// Replaces the last field of `variable` by that of a value and keeps the other fields.
 std::string last_field(const Generation& generation, const Unit& unit, ir::VariableId variable,
                        const std::string& value, const std::string& field) {
     const std::string place = ExpressionWriter(generation, unit).variable(variable);
@@ -84,7 +85,7 @@ private:
         out_.close();
     }
 
-    /// The reader empties the buffer (semantics 3.9).
+    /// Reads and empties the buffer (semantics 3.9).
     void from_buffer(const Buffer& buffer) {
         const std::string place = "state_." + buffer.field;
         out_.open(fmt::format("if ({}) {{", wanted(place + ".full()", place + ".value")));
@@ -107,8 +108,8 @@ private:
         out_.close();
     }
 
-    /// Not connected: the event happens spontaneously as soon as it is possible, with an arbitrary value (semantics
-    /// 3.9).
+    /// For an event that is not connected: it happens spontaneously as soon as it is possible, with an arbitrary value
+    /// (semantics 3.9).
     bool by_itself() {
         const CppExpr guard = condition("");
         const std::string value = use_.type ? default_text(generation_, *use_.type) : "";

@@ -51,7 +51,7 @@ void ProgramWriter::jump(const std::string& label) {
     code().line("break;");
 }
 
-/// Writes: return if the condition holds.
+/// Writes a statement that returns if the condition holds.
 void ProgramWriter::return_if(const std::string& condition) {
     code().open(fmt::format("if ({}) {{", condition));
     code().line("return moved;");
@@ -67,7 +67,7 @@ void ProgramWriter::resume_at(const std::string& label, const diagnostics::Forei
     begin(label, comment);
 }
 
-/// A place at which the program can resume: the current one if it is still empty.
+/// A place at which the program can resume: the current place if it is still empty, otherwise a new one.
 std::string ProgramWriter::resume_here(const std::string& stem, const diagnostics::ForeignText& comment) {
     if (code().empty()) return thread_.places.back().label;
     std::string label = fresh(stem);
@@ -80,7 +80,7 @@ std::string ProgramWriter::fresh(const std::string& stem) {
     return thread_.labels->numbered(stem);
 }
 
-/// `pre & statement` (semantics 3.5): if a precondition does not hold, the thread is blocked.
+/// Writes the precondition in `pre & statement` (semantics 3.5): if it does not hold, the thread is blocked.
 void ProgramWriter::ask(const ir::Stmt& stmt) {
     const ExpressionWriter expressions(generation_, unit_);
     CppExpr conditions;
@@ -93,7 +93,7 @@ void ProgramWriter::ask(const ir::Stmt& stmt) {
     code().close();
 }
 
-/// The place of a thread after a false precondition, before the place that is being written.
+/// The place in which a thread stays after a false precondition; it comes before the place that is being written.
 const std::string& ProgramWriter::stuck_place() {
     const auto found = thread_.stuck.find(state_.index);
     if (found != thread_.stuck.end()) return found->second;
@@ -164,13 +164,14 @@ void ProgramWriter::suspending_if(const ir::Stmt& stmt, const std::string& stem)
     resume_at(end_label, "end if");
 }
 
-/// Written before effects that others can observe; empty if no deadline depends on a guard.
+/// The call that must precede effects that others can observe; empty if no deadline depends on a guard.
 std::string ProgramWriter::look_at_deadlines() const {
     if (!guards_deadlines(*unit_.machine)) return {};
     return fmt::format("watch({});", frame_arguments(generation_.component, unit_));
 }
 
-/// A variable accepts no other write until the last one has been propagated (semantics 3.7).
+/// Waits until the last write of the variable has been propagated; the variable accepts no other write before
+/// (semantics 3.7).
 void ProgramWriter::await_propagation(const ir::Stmt& assignment, const std::string& stem) {
     const CppExpr free = may_write(generation_, unit_, assignment.variable);
     if (free.empty()) return;
@@ -190,7 +191,8 @@ void ProgramWriter::assign(const ir::Stmt& stmt, const std::string& stem) {
     line(store(generation_, unit_, stmt.variable, expressions.write_as(*stmt.value, type)));
 }
 
-/// Assignment to a part of a variable: the value is changed in a copy and stored as a whole, as in the semantics.
+/// Writes an assignment to a part of a variable: changes the value in a copy and stores the copy, as the semantics
+/// does.
 void ProgramWriter::assign_part(const ir::Stmt& stmt, ir::TypeId whole) {
     const ExpressionWriter expressions(generation_, unit_);
     const std::string place = expressions.variable(stmt.variable);
@@ -252,7 +254,7 @@ void ProgramWriter::await_input(const ir::Stmt& stmt, const std::string& stem) {
     line(received(generation_, unit_, communication, value));
 }
 
-/// Several sources, or another machine: a separate function tries them.
+/// Awaits an event with several sources, or from another machine: a separate function tries the sources.
 void ProgramWriter::await_any(const ir::Stmt& stmt, const EventUse& use, const std::string& stem) {
     const std::string at = fresh(stem);
     const std::string next = fresh(stem);
@@ -287,7 +289,7 @@ void ProgramWriter::send(const ir::Stmt& stmt, const std::string& stem) {
     offer(use, value, at, fresh(stem));
 }
 
-/// The writer never waits, and the newest value replaces the older one (semantics 3.9).
+/// The writer never waits, and the newest value replaces the older value (semantics 3.9).
 void ProgramWriter::fill_buffers(const EventUse& use, const std::string& value) {
     for (const std::size_t index : use.filled) {
         const std::string place = "state_." + generation_.component.buffers[index].field;
@@ -295,14 +297,14 @@ void ProgramWriter::fill_buffers(const EventUse& use, const std::string& value) 
     }
 }
 
-/// Outputs are made at once and in order (docs/conformance.md, A2). If the platform and machines could receive the
-/// event, the platform receives it, since it is always ready.
+/// Sends an event. Outputs are made at once and in order (docs/conformance.md, A2). If both the platform and machines
+/// could receive the event, the platform receives it, because it is always ready.
 void ProgramWriter::send_out(const EventUse& use, const std::string& value) {
     const EventPort& port = generation_.component.events[use.ports.front()];
     code().line(fmt::format("platform_.{}({});", port.output, value));
 }
 
-/// The machine that receives it advances this thread.
+/// Waits until the machine that receives the event advances this thread.
 void ProgramWriter::offer(const EventUse& use, const std::string& value, const std::string& at,
                           const std::string& next) {
     waiting_ = at;
@@ -334,8 +336,8 @@ void ProgramWriter::call(const ir::Stmt& stmt, const std::string& stem) {
     }
 }
 
-/// If the thread continues with this call, others may have to wait for it before they write (semantics 3.7). The call
-/// is then also one of the thread's prompt steps, and ends its place.
+/// If the thread continues with this call, other machines may have to wait for it before they write (semantics 3.7).
+/// The call is then one of the thread's prompt steps, too, and ends its place.
 void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::string>& texts,
                                   const std::string& stem) {
     std::optional<PromptStep> prompt = reads_variables(stmt) ? std::nullopt : std::move(resumed_);
@@ -383,7 +385,7 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
     code().line(place + " = {};");
 }
 
-/// A violated precondition of an operation is reported.
+/// Reports a violated precondition of an operation.
 void ProgramWriter::require_preconditions(const Unit& operation, const std::string& frame) {
     const ExpressionWriter expressions(generation_, operation, unit_, frame);
     for (const auto& condition : operation.machine->preconditions) {
@@ -410,8 +412,8 @@ void ProgramWriter::offer_to_platform(const Unit& operation, const std::string& 
     }
 }
 
-/// `S <{d}` (semantics 3.10): if S may have to wait, a counter detects that it has waited too long. A thread that
-/// continues with a communication holds up writes at once.
+/// `S <{d}` (semantics 3.10): if S may have to wait, a counter measures its waiting time. A thread that continues with
+/// a communication holds up writes at once.
 void ProgramWriter::deadline(const ir::Stmt& stmt, const std::string& stem) {
     if (!suspends(generation_, unit_, stmt.body[0])) return statement(stmt.body[0], stem);
     const std::string field = thread_.fields->unique(fmt::format("deadline_{}{}", thread_.prefix, stmt.point));
@@ -435,7 +437,7 @@ void ProgramWriter::deadline(const ir::Stmt& stmt, const std::string& stem) {
     resumed_ = std::move(resumed);
 }
 
-/// Earlier writes are no longer being propagated, unless another thread holds them up.
+/// Starts to hold up writes. Earlier writes are no longer being propagated, unless another thread holds them up.
 void ProgramWriter::begin_to_hold(std::vector<std::string>& lines) const {
     const Part& part = generation_.component.part(unit_);
     for (const StoredVariable& variable : generation_.component.variables)

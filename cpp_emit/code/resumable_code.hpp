@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Resumable programs as the cases of one switch: each case runs to the next place where the program may have to wait
-// (for time, for an input, for an operation), stores its place and returns.
+// Writes resumable programs as the cases of one switch. Each case runs to the next place where the program may have to
+// wait (for time, for an input, for an operation), stores the place and returns.
 #pragma once
 
 #include <map>
@@ -19,14 +19,14 @@ namespace robochart::cpp_emit {
 struct Place {
     std::string label;
     diagnostics::ForeignText comment;
-    ir::NodeId state;  ///< the state that the machine shows meanwhile
+    ir::NodeId state;  ///< the state that the machine shows at this place
     CodeWriter code{5};
 };
 
 /// The state of an operation called by a thread, a member of the caller's frame.
 struct CallFrame {
     std::string field;
-    std::size_t operation = 0;      ///< Unit::number
+    std::size_t operation = 0;      ///< the operation's Unit::number
     std::vector<std::string> live;  ///< labels of the thread at which the operation runs
 };
 
@@ -39,8 +39,8 @@ struct SendSite {
     std::string value;   ///< "" if the event carries no value
 };
 
-/// A step of a thread that precedes writes by others: a call of the platform with which it resumes, or the arrival at a
-/// communication with a deadline.
+/// A step of a thread that precedes writes by others: a call of the platform at which the thread resumes, or the
+/// arrival at a communication with a deadline.
 struct PromptStep {
     std::string there;               ///< the condition that the thread is before the step: "f.at == At::S1_1 && f.wait
                                      ///< == 0"
@@ -79,15 +79,15 @@ public:
 
     /// Starts a place; the following code belongs to it until the next `begin`.
     void begin(const std::string& label, const diagnostics::ForeignText& comment);
-    /// Ends the current place: control continues at another.
+    /// Ends the current place. Control continues at another place.
     void jump(const std::string& label);
-    /// The thread may stop before the current place and resumes there without another event.
+    /// Lets the thread stop before the current place and resume there without another event.
     void goes_on_from_here(const std::string& condition = "");
     /// Ends the current place with code written by the caller.
     [[nodiscard]] CodeWriter& code();
-    /// Writes a statement; places inside it are called `stem`_1, `stem`_2, ...
+    /// Writes a statement. Places inside it are called `stem`_1, `stem`_2, ...
     void statement(const ir::StmtPtr&, const std::string& stem);
-    /// Writes a line of the current place; nothing for "".
+    /// Writes a line of the current place; writes nothing for "".
     void line(const std::string&);
 
 private:

@@ -40,7 +40,7 @@ bool may_be_stuck(const Generation& generation, const Unit& unit, const ir::Stmt
     });
 }
 
-/// For the statement itself, ignoring nested statements.
+/// Whether the statement itself may suspend, ignoring nested statements.
 bool suspends_itself(const Generation& generation, const Unit& unit, const ir::Stmt& stmt) {
     if (may_be_stuck(generation, unit, stmt)) return true;
     switch (stmt.kind) {
@@ -74,7 +74,7 @@ bool suspends(const Generation& generation, const Unit& unit, const ir::StmtPtr&
 
 namespace {
 
-/// For the statement itself, ignoring nested statements.
+/// Whether the statement itself takes time, ignoring nested statements.
 bool takes_time(const Generation& generation, const Unit& unit, const ir::Stmt& stmt) {
     const auto zero = [](const ir::ExprPtr& expr) { return expr->kind == ir::ExprKind::integer && expr->number == 0; };
     if (stmt.kind == StmtKind::wait && zero(stmt.value)) return false;
@@ -85,7 +85,7 @@ bool takes_time(const Generation& generation, const Unit& unit, const ir::Stmt& 
     return suspends_itself(generation, unit, stmt);
 }
 
-/// Whether an operation may rest in a state, because no transition of the state is always enabled.
+/// Whether an operation may rest in a state. It may, if none of the state's transitions is always enabled.
 bool may_rest(const ir::Machine& operation) {
     const auto leaves = [&](const ir::TransitionId id) {
         const ir::Transition& transition = operation.transitions[id.index];
@@ -108,7 +108,7 @@ bool actions_take_time(const Generation& generation, const Unit& unit) {
 
 namespace {
 
-/// The number of writes of a variable in a machine, by statements and by triggers.
+/// Counts the writes of a variable in a machine, by statements and by triggers.
 std::size_t writes(const ir::Machine& machine, const std::string& name) {
     std::size_t count = 0;
     const auto into = [&](ir::VariableId id) {

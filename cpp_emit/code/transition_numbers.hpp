@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The transitions of a component by number: those of all its machines and operations, in the order of Component::units.
+// Numbers the transitions of a component: those of all its machines and operations, in the order of Component::units.
 // Units for the same operation of the model share numbers. The trace hook identifies transitions by these numbers.
 #pragma once
 
@@ -17,7 +17,7 @@ struct TransitionName {
 };
 
 [[nodiscard]] std::uint32_t transition_number(const Unit&, ir::TransitionId);
-/// By number.
+/// The transitions by number.
 [[nodiscard]] std::vector<TransitionName> transition_names(const Generation&);
 
 }  // namespace robochart::cpp_emit

@@ -17,7 +17,7 @@ constexpr std::size_t line_width = 120;
 
 namespace {
 
-/// The last check: callers have already converted names to identifiers and foreign text to literals.
+/// A last check: callers have already converted names to identifiers and foreign text to literals.
 void require_code(std::string_view text) {
     const bool printable = std::ranges::all_of(text, [](char c) { return c >= 0x20 && c < 0x7F; });
     if (!printable) throw std::logic_error("a line of generated code holds foreign text: " + diagnostics::shown(text));

@@ -11,36 +11,36 @@
 
 namespace robochart::cpp_emit {
 
-/// Lines are C++: the project's own text, identifiers (names.hpp) and literals (base/diagnostics/escape.hpp). None of these
-/// contains a control character or a character beyond ASCII; a line with one is an internal error. Comments accept any
-/// text.
+/// Writes lines of C++. They consist of the project's own text, identifiers (names.hpp) and literals
+/// (diagnostics/escape.hpp), which contain no control character and no character beyond ASCII. A line with such a
+/// character is an internal error. Comments accept any text.
 class CodeWriter {
 public:
     explicit CodeWriter(std::size_t depth = 0) : depth_(depth) {}
 
-    /// One line at the current depth; "" is an empty line.
+    /// Writes one line at the current depth; "" is an empty line.
     void line(std::string_view text = {});
     /// Writes `text`, which ends in a brace or colon, and indents the following lines.
     void open(std::string_view text);
-    /// A function or type after an empty line, with its comment; `head` ends in a brace that `close` closes.
+    /// Opens a function or type after an empty line, with its comment. `head` ends in a brace, which `close` closes.
     void declaration(const diagnostics::ForeignText& comment, std::string_view head);
-    /// The lines that `body` writes; if there is a condition, inside an `if`.
+    /// Writes the lines that `body` writes; if there is a condition, inside an `if`.
     void when(const CppExpr& condition, const std::function<void()>& body);
     /// Ends a block: writes "}", "};", "} else {" one level less deep.
     void close(std::string_view text = "}");
-    /// "public:" and the like, one level less deep.
+    /// Writes "public:" and similar lines one level less deep.
     void label(std::string_view text);
-    /// "} else {": ends a block and opens the next.
+    /// Ends a block and opens the next one: "} else {".
     void reopen(std::string_view text);
-    /// `/// text`, wrapped at the line width.
+    /// Writes `/// text`, wrapped at the line width.
     void doc(const diagnostics::ForeignText& text) { wrapped("/// ", diagnostics::comment_text(text)); }
-    /// `// text`, wrapped at the line width.
+    /// Writes `// text`, wrapped at the line width.
     void comment(const diagnostics::ForeignText& text) { wrapped("// ", diagnostics::comment_text(text)); }
-    /// `text  ///< behind`, in one line.
+    /// Writes `text  ///< behind` on one line.
     void line_with_doc(std::string_view text, const diagnostics::ForeignText& behind);
     /// Writes lines that are already indented.
     void raw(std::string_view lines);
-    /// An empty line between parts; never two consecutive ones, and none at the beginning of a block.
+    /// Writes an empty line between parts; never two consecutive ones, and none at the beginning of a block.
     void gap();
 
     [[nodiscard]] const std::string& text() const { return text_; }

@@ -10,7 +10,8 @@ namespace robochart::cpp_emit {
 /// operator and no assignment.
 enum class Binding { conditional, disjunction, conjunction, equality, order, sum, product, prefix, primary };
 
-/// The text can be read only with the required precedence, so that parentheses are added wherever they are needed.
+/// Gives access to the text only together with the required precedence, so that parentheses are added wherever they are
+/// needed.
 class CppExpr {
 public:
     /// An empty condition, which is always true.
@@ -18,17 +19,18 @@ public:
     CppExpr(std::string text, Binding binding) : text_(std::move(text)), binding_(binding) {}
     /// A name, a literal, a call, something in parentheses.
     explicit CppExpr(std::string text) : text_(std::move(text)) {}
-    /// Whether `operand` is equal to a constant, or differs from it.
+    /// A test whether `operand` is equal to a constant, or differs from it.
     [[nodiscard]] static CppExpr test(std::string text, std::string operand, bool differs);
 
     [[nodiscard]] bool empty() const { return text_.empty(); }
-    /// As a complete expression: an argument, an initial value, a returned value, a condition inside parentheses.
+    /// The text as a complete expression: an argument, an initial value, a returned value, a condition inside
+    /// parentheses.
     [[nodiscard]] const std::string& whole() const { return text_; }
-    /// As an operand: in parentheses if its precedence is lower than `least`.
+    /// The text as an operand, in parentheses if its precedence is lower than `least`.
     [[nodiscard]] std::string operand(Binding least = Binding::primary) const {
         return binding_ < least ? "(" + text_ + ")" : text_;
     }
-    /// The same in parentheses.
+    /// The same expression in parentheses.
     [[nodiscard]] CppExpr enclosed() const;
 
     /// The conjunction; either condition may be empty. Operands with lower precedence than `least` get parentheses.

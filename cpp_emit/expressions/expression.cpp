@@ -22,7 +22,7 @@ TypeKind wider(TypeKind left, TypeKind right) {
     return rank(left) >= rank(right) ? left : right;
 }
 
-/// Whether the expression has the same value everywhere.
+/// Whether the expression has the same value everywhere in the machine.
 bool fixed(const ir::Expr& expr) {
     bool result = true;
     ir::visit_operands(expr, [&](const ir::Expr& part) {
@@ -108,7 +108,7 @@ std::string ExpressionWriter::clock(ir::ClockId id) const {
     return frame_of(*owner) + "." + owner->clock_fields[own.index];
 }
 
-/// The state of the unit, of one that called it, or of the part's machine.
+/// The frame of the unit, of a unit that called it, or of the part's machine.
 std::string ExpressionWriter::frame_of(const Unit& owner) const {
     if (&owner == &unit_) return frame_;
     if (owner.root) return generation_.component.part(unit_).place();
@@ -225,14 +225,14 @@ std::string ExpressionWriter::place(const ir::Expr& index) const {
     return fmt::format("place_of({})", write(index));
 }
 
-/// Indices of sequences and vectors; for a matrix, first the row, then the place in the row.
+/// Indices of sequences and vectors. For a matrix, the first index is the row, the second the position in the row.
 std::string ExpressionWriter::index(const ir::Expr& expr) const {
     std::string text = operand(*expr.args[0]);
     for (std::size_t i = 1; i < expr.args.size(); ++i) text += fmt::format(".at({})", place(*expr.args[i]));
     return text;
 }
 
-/// Membership in a range is decided by its bounds, because ranges may be large.
+/// Tests membership in a range by its bounds, because ranges may be large.
 std::string ExpressionWriter::membership(const ir::Expr& expr) const {
     const ir::Expr& value = *expr.args[0];
     const ir::Expr& set = *expr.args[1];

@@ -13,24 +13,25 @@
 
 namespace robochart::cpp_emit {
 
-/// The member for the number in ExprKind::member: the index of a field, or a position counted from 1.
+/// The struct member for the number in ExprKind::member: the index of a field, or a position counted from 1.
 [[nodiscard]] std::string member_name(const ir::Type&, std::int64_t number);
 
-/// The parameters of a unit's functions: its own state, f, and the states of the operations that lend it variables or
+/// The parameters of a unit's functions: its own frame, f, and the frames of the operations that lend it variables or
 /// clocks.
 [[nodiscard]] std::string frame_parameters(const Component&, const Unit&);
-/// The arguments when its functions call each other: "f", "f, TurnFrame_f".
+/// The arguments in calls between the unit's functions: "f", "f, TurnFrame_f".
 [[nodiscard]] std::string frame_arguments(const Component&, const Unit&);
-/// The arguments when a function of its caller, in which the unit's state is `frame`, calls one.
+/// The arguments with which a function of the unit's caller calls a function of the unit. In the caller, the unit's
+/// frame is `frame`.
 [[nodiscard]] std::string frame_arguments(const Component&, const Unit&, const Unit& caller, const std::string& frame);
-/// The parameter for the state of an operation that lends variables or clocks.
+/// The name of the parameter for the frame of an operation that lends variables or clocks.
 [[nodiscard]] std::string lent_frame(const Unit& owner);
 
 class ExpressionWriter {
 public:
-    /// For expressions in the unit's functions.
+    /// Writes expressions in the unit's functions.
     ExpressionWriter(const Generation& generation, const Unit& unit) : ExpressionWriter(generation, unit, unit, "f") {}
-    /// For expressions in a function of the unit's caller, in which the unit's state is `frame`: "f.Turn".
+    /// Writes expressions in a function of the unit's caller, in which the unit's frame is `frame`: "f.Turn".
     ExpressionWriter(const Generation& generation, const Unit& unit, const Unit& caller, std::string frame)
         : generation_(generation), unit_(unit), caller_(caller), frame_(std::move(frame)) {}
 
@@ -40,12 +41,12 @@ public:
     [[nodiscard]] CppExpr expression(const ir::Expr&) const;
     /// The expression converted to a numeric type; unchanged for other types.
     [[nodiscard]] CppExpr expression_as(const ir::Expr&, ir::TypeId) const;
-    /// As a complete expression: an argument, an initial value, a condition inside parentheses.
+    /// The text as a complete expression: an argument, an initial value, a condition inside parentheses.
     [[nodiscard]] std::string write(const ir::Expr& expr) const { return expression(expr).whole(); }
     [[nodiscard]] std::string write_as(const ir::Expr& expr, ir::TypeId type) const {
         return expression_as(expr, type).whole();
     }
-    /// As an operand of any operator: in parentheses unless it has the highest precedence.
+    /// The text as an operand of any operator, in parentheses unless it has the highest precedence.
     [[nodiscard]] std::string operand(const ir::Expr& expr) const { return expression(expr).operand(); }
     /// The condition that all preconditions of called functions hold, innermost calls first (semantics 3.5); empty if
     /// none can be false. It is tested before the expression is evaluated.
@@ -61,7 +62,8 @@ public:
 private:
     [[nodiscard]] CppExpr of_kind(const ir::Expr&) const;  ///< empty for a kind that C++ cannot express
     [[nodiscard]] std::string operand_as(const ir::Expr&, ir::TypeKind) const;
-    /// Reals use the operator; whole numbers use the function with that name, which is defined at the type's limits.
+    /// Arithmetic on two operands. Reals use the operator. Whole numbers use the function with that name, which is
+    /// defined at the limits of the type, too.
     [[nodiscard]] CppExpr arithmetic(const ir::Expr&, const char* symbol, const char* name, Binding) const;
     [[nodiscard]] CppExpr negated(const ir::Expr&) const;
     [[nodiscard]] std::string function(const ir::Expr&, const char* name) const;
@@ -83,10 +85,10 @@ private:
     // expression_conditions.cpp: preconditions of functions
     [[nodiscard]] std::vector<CppExpr> preconditions(const ir::Expr&) const;
     [[nodiscard]] std::vector<CppExpr> bound_preconditions(const ir::Expr&) const;
-    /// The text with the first `count` names of the let bound around it.
+    /// The text with the first `count` names of the `let` bound around it.
     [[nodiscard]] std::string bound_by_let(const ir::Expr&, std::size_t count, std::string text) const;
 
-    // expression_composed.cpp: what binds variables, functions as values, toolkits, vectors and matrices
+    // expression_composed.cpp: binders, functions as values, toolkits, vectors and matrices
     [[nodiscard]] std::string any(const ir::Expr&, std::size_t from, const std::string& visit) const;
     [[nodiscard]] CppExpr quantified(const ir::Expr&) const;
     [[nodiscard]] std::string collected(const ir::Expr&) const;

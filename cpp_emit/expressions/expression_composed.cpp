@@ -14,8 +14,8 @@ namespace robochart::cpp_emit {
 using ir::ExprKind;
 using ir::TypeKind;
 
-/// `visit` for the values of the bound variables from index `from` on until it is true: any_Nat([&](Nat bound_x) { ...
-/// }).
+/// Calls `visit` for the values of the bound variables from index `from` on, until it returns true: any_Nat([&](Nat
+/// bound_x) { ... }).
 std::string ExpressionWriter::any(const ir::Expr& expr, std::size_t from, const std::string& visit) const {
     if (from == expr.bound_names.size()) return visit;
     const ir::TypeId type = expr.bound_types.at(from);
@@ -25,7 +25,7 @@ std::string ExpressionWriter::any(const ir::Expr& expr, std::size_t from, const 
                        type_text(type), bound_identifier(expr.bound_names[from]), body);
 }
 
-/// Whether the body holds for all, for some or for exactly one of the values that satisfy the predicate.
+/// Whether the body holds for all, for some, or for exactly one of the values that satisfy the predicate.
 CppExpr ExpressionWriter::quantified(const ir::Expr& expr) const {
     const std::string predicate = operand(*expr.args[0]);
     const std::string body = operand(*expr.args[1]);
@@ -52,8 +52,8 @@ std::string ExpressionWriter::collected_item(const ir::Expr& expr) const {
     return expr.args.size() > 1 && expr.args[1] ? write_as(*expr.args[1], item) : bound_values(expr, item);
 }
 
-/// Lambdas as sets of pairs, comprehensions, and `the`: the value of the body for each value that satisfies the
-/// predicate.
+/// Collects the value of the body for each value that satisfies the predicate. Used for lambdas as sets of pairs,
+/// comprehensions, and `the`.
 std::string ExpressionWriter::collected(const ir::Expr& expr) const {
     const std::string item = collected_item(expr);
     const std::string take =
@@ -73,7 +73,7 @@ std::string ExpressionWriter::apply(const ir::Expr& expr) const {
     return lookup(*expr.args[0], arguments, domain);
 }
 
-/// If the function is written as an expression it is called directly, so that it need not be finite on the robot.
+/// A function that is written as an expression is called directly, so that it need not be finite on the robot.
 std::string ExpressionWriter::lookup(const ir::Expr& function, const std::vector<std::string>& arguments,
                                      ir::TypeId domain) const {
     std::string listed;
@@ -98,7 +98,7 @@ std::string ExpressionWriter::lookup(const ir::Expr& function, const std::vector
     return fmt::format("robochart::apply<{}>({}, {})", type_text(result), write(function), argument);
 }
 
-/// A lambda applied to arguments; arguments that do not satisfy its predicate have no value in the model.
+/// Applies a lambda to arguments. Arguments that do not satisfy its predicate have no value in the model.
 std::string ExpressionWriter::beta_reduced(const ir::Expr& lambda, const std::vector<std::string>& arguments) const {
     std::string parameters, values;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -142,7 +142,7 @@ std::string ExpressionWriter::toolkit(const ir::Expr& expr) const {
     return fmt::format("robochart::toolkit::{}<{}>({})", name, type_text(expr.type), arguments);
 }
 
-/// Whole numbers between the bounds, or the reals of the carrier between them.
+/// The whole numbers between the bounds, or the reals of the carrier between them.
 std::string ExpressionWriter::range(const ir::Expr& expr) const {
     const ir::TypeId member = generation_.system.type(expr.type).args.at(0);
     const bool written = expr.kind == ExprKind::range;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Data that all emitters of one run share.
+// The data that all emitters of one run share.
 #pragma once
 
 #include <string>
@@ -25,7 +25,7 @@ struct Generation {
     [[nodiscard]] diagnostics::ForeignText line(diagnostics::Span) const;
     /// "aggregation.rct"; "" if unknown.
     [[nodiscard]] diagnostics::ForeignText file(diagnostics::Span) const;
-    /// The test of the bound on steps in a loop's condition; "" with Fault::loop_never_ends.
+    /// The test for the bound on steps in a loop's condition; "" with Fault::loop_never_ends.
     [[nodiscard]] std::string bound_test() const;
     [[nodiscard]] diagnostics::ForeignText place(const ir::Origin& origin) const {
         return place(origin.element, origin.span);

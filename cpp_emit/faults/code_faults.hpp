@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seeded faults in generated code: a line of the core is deleted, repeated or changed. These are the faults that the IR
-// cannot express and a line of code can: what is cleared, advanced, awaited or consumed.
+// Seeded faults in generated code: a line of the core is deleted, repeated or changed. The IR cannot express these
+// faults, for example a value that is not cleared, advanced, awaited or consumed.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace robochart::cpp_emit {
 
-/// The text of NAME_core.hpp with the fault; unchanged if this run's kind of fault does not change lines.
+/// The text of NAME_core.hpp with the fault. Unchanged if this run's kind of fault does not change lines.
 [[nodiscard]] std::string faulty_code(std::string text, Mutation&);
 
 }  // namespace robochart::cpp_emit

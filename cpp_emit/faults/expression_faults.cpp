@@ -137,7 +137,7 @@ private:
         return changed;
     }
 
-    /// Numbers stay in their carrier: one less, or 1 for 0.
+    /// Changes a literal within its carrier: to one less, or to 1 for 0.
     [[nodiscard]] std::optional<Expr> literal() const {
         const bool number = expr_.kind == ExprKind::integer || expr_.kind == ExprKind::boolean;
         const ir::Type& type = system_.type(expr_.type);
@@ -182,13 +182,13 @@ ir::TypeId boolean(const ir::System& system) {
     return {static_cast<std::uint32_t>(found - system.types.begin())};
 }
 
-/// Whether the operands are the parts of a value, as given by `Type::args` or by one type for all.
+/// Whether the operands are the parts of a value, with types given by `Type::args` or by one type for all parts.
 bool builds(ExprKind kind) {
     return kind == ExprKind::tuple || kind == ExprKind::record || kind == ExprKind::sequence || kind == ExprKind::set ||
            kind == ExprKind::matrix || kind == ExprKind::enum_literal;
 }
 
-/// The type of one part of the value that `whole` builds; invalid if it has none.
+/// The type of one part of the value that `whole` builds; invalid if the part has none.
 ir::TypeId part_type(const ir::System& system, const Expr& whole, std::size_t place) {
     const ir::Type& type = system.type(whole.type);
     if (whole.kind == ExprKind::enum_literal) {

@@ -14,11 +14,12 @@ namespace robochart::cpp_emit {
 [[nodiscard]] ir::ExprPtr default_literal(const ir::System&, const ir::Instantiation&, ir::TypeId);
 /// The number one as a literal of a numeric type.
 [[nodiscard]] ir::ExprPtr one(const ir::System&, ir::TypeId);
-/// `expr` + 1. In a finite carrier the largest number does not change (semantics 3.13), except for a literal.
+/// The expression `expr` + 1. In a finite carrier the largest number stays unchanged (semantics 3.13), except for a
+/// literal.
 [[nodiscard]] ir::ExprPtr one_more(const ir::System&, const ir::ExprPtr& expr);
-/// `expr` - 1, or 0 if that is negative; null for the literal 0.
+/// The expression `expr` - 1, or 0 if that is negative; null for the literal 0.
 [[nodiscard]] ir::ExprPtr one_less(const ir::System&, const ir::ExprPtr& expr);
-/// `not expr`.
+/// The expression `not expr`.
 [[nodiscard]] ir::ExprPtr negated(const ir::ExprPtr& expr);
 
 /// Rewrites the expressions of one machine. A subexpression that several expressions share counts as one place.
@@ -27,10 +28,10 @@ public:
     ExpressionFaults(const ir::System& system, const ir::Instantiation& inst, Mutation& mutation)
         : system_(system), inst_(inst), mutation_(mutation) {}
 
-    /// The expression with the fault, operands before operators; the same object if the fault is elsewhere, null for
-    /// null.
+    /// The expression with the fault; operands are rewritten before operators. The same object if the fault is
+    /// elsewhere, null for null.
     [[nodiscard]] ir::ExprPtr rewrite(const ir::ExprPtr&);
-    /// The same for the index of an item, which the fault index_off_by_one changes too.
+    /// Rewrites the index of an item in the same way. The fault index_off_by_one changes it, too.
     [[nodiscard]] ir::ExprPtr rewrite_place(const ir::ExprPtr&);
 
 private:

@@ -93,7 +93,7 @@ private:
         return stored == nullptr || stored->stored();
     }
 
-    /// The guard in which the variable replaces the incoming value.
+    /// The guard with the variable in place of the incoming value.
     [[nodiscard]] static ir::ExprPtr with_old_value(const ir::ExprPtr& expr, ir::VariableId variable) {
         if (!expr) return expr;
         ir::Expr changed = *expr;
@@ -120,7 +120,7 @@ private:
             mutation_.hits(Fault::deadline_ignored) ? nullptr : statements_.deadline(transition.deadline);
     }
 
-    /// The next state after a node in the same parent, cyclically; invalid if there is none.
+    /// The next state after a node in the same parent, cyclically; invalid if there is no other state.
     [[nodiscard]] NodeId beside(NodeId target) const {
         const NodeId parent = machine_.nodes[target.index].parent;
         const auto& siblings = parent.valid() ? machine_.nodes[parent.index].children : machine_.top;
@@ -132,7 +132,7 @@ private:
         return next == others.end() ? others.front() : *next;
     }
 
-    /// One alternative of a probabilistic junction gets the effect of the next one.
+    /// Gives one alternative of a probabilistic junction the effect of the next one.
     void exchange_ways(const ir::Node& node) {
         const std::vector<ir::Transition> right = machine_.transitions;
         for (std::size_t way = 0; way < node.outgoing.size(); ++way) {

@@ -64,7 +64,7 @@ void StatementFaults::rewrite_parts(ir::Stmt& stmt) {
         stmt.communication.value = expressions_.rewrite(stmt.communication.value);
 }
 
-/// Path steps to a field are numbers of fields; steps to an item are expressions.
+/// Path steps to a field are field numbers; steps to an item are expressions.
 void StatementFaults::rewrite_path(ir::Stmt& stmt) {
     if (stmt.path.empty()) return;
     ir::TypeId type = unit_.machine->variables[stmt.variable.index].type;
@@ -144,7 +144,7 @@ StmtPtr StatementFaults::communication(ir::Stmt stmt) {
     return repeated(std::move(stmt));
 }
 
-/// Fault at an output of the component.
+/// Changes an output of the component according to Fault::output_repeated.
 StmtPtr StatementFaults::repeated(ir::Stmt stmt) {
     const StmtPtr once = made(std::move(stmt));
     return mutation_.hits(Fault::output_repeated) ? one_after_the_other({once, once}) : once;

@@ -19,11 +19,11 @@ public:
           mutation_(mutation),
           expressions_(system, inst, mutation) {}
 
-    /// The statement with the fault, parts before the whole; null for null.
+    /// The statement with the fault; parts are rewritten before the whole. Null for null.
     [[nodiscard]] ir::StmtPtr rewrite(const ir::StmtPtr&);
     /// Rewrites a trigger or the communication of an input statement.
     void receive(ir::Communication&);
-    /// Rewrites a deadline of a statement or transition, except for the fault that ignores it.
+    /// Rewrites the deadline of a statement or transition. The fault that ignores a deadline is not handled here.
     [[nodiscard]] ir::ExprPtr deadline(const ir::ExprPtr& bound);
     /// A program that runs a second time, one time unit after it has ended.
     [[nodiscard]] ir::StmtPtr run_again(const ir::StmtPtr&) const;
