@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files in the project of a target; see project.hpp.
+// Writes the files in the project of a target; see project.hpp.
 #include "cpp_emit/project.hpp"
 
 #include <fmt/format.h>
@@ -67,7 +67,7 @@ public:
     }
 
 private:
-    /// The name of the element appears in comments, and in text if the file is XML.
+    /// Adds a file. The name of the element appears in comments, and in text if the file is XML.
     void add(const std::string& path, const std::string& text) {
         const bool xml = text.ends_with(".xml") || text.ends_with(".argos");
         keys_["ELEMENT"] = xml ? diagnostics::xml_text(element_) : diagnostics::comment_text(element_);

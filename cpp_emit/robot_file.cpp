@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// robot.hpp of the projects for simulators. A model does not define where events come from and what operations do, so
-// the author completes this file. As generated, it raises no events and prints the controller's outputs.
+// Writes robot.hpp of the projects for simulators. A model does not define the sources of its events and the effects of
+// its operations, so the author completes this file. As generated, it raises no events and prints the controller's
+// outputs.
 #include <fmt/format.h>
 
 #include "cpp_emit/plan/types.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The emission for simulators; see simulator_api.hpp.
+// Emits the interface for simulators; see simulator_api.hpp.
 #include "cpp_emit/simulator_api.hpp"
 
 #include <fmt/format.h>
@@ -46,13 +46,13 @@ Carried carried(ir::TypeKind kind) {
     return Carried::enumeration;
 }
 
-/// "nat", "Zone", "pack::Zone".
+/// The full name of a type: "nat", "Zone", "pack::Zone".
 std::string full_name(const std::string& package, const std::string& name) {
     return package.empty() ? name : package + "::" + name;
 }
 
-/// The encoding of a value in a port, for types without parts: a number in the model's units, a boolean as 0 or 1, a
-/// literal by its index.
+/// The encoding of a value in a port, for types without parts. A number is given in the model's units, a boolean as 0
+/// or 1, a literal by its index.
 double carried_value(const ir::Instantiation& inst, Carried kind, const ir::Value& value) {
     const auto number = static_cast<double>(value.number);
     return kind == Carried::real ? number / static_cast<double>(inst.scale) : number;
@@ -350,7 +350,7 @@ private:
         out_.close();
     }
 
-    /// Prefix of the members of a part's machine: "", "stm0.".
+    /// The prefix of the members of a part's machine: "", "stm0.".
     [[nodiscard]] std::string member_prefix(std::size_t part) const {
         const std::string& tag = generation_.component.parts[part].tag;
         return tag.empty() ? "" : tag + ".";
@@ -435,7 +435,7 @@ std::vector<DriveConstant> constants_of(const Component& component, const ir::Sy
     return result;
 }
 
-/// An rc_value holds only numbers.
+/// Reports values that a port cannot carry: an rc_value holds only numbers.
 bool carries_numbers(const Component& component, const ir::System& system, diagnostics::Diagnostics& diagnostics) {
     const std::size_t before = diagnostics.errors();
     const auto check = [&](ir::TypeId id, const std::string& name) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The controller for programs that run many instances at once (simulators): the same core with its deployed types,
-// called through the C interface of runtime/drive_abi.h.
+// Emits the controller for programs that run many instances at once (simulators): the same core with its deployed
+// types, called through the C interface of runtime/drive_abi.h.
 #pragma once
 
 #include <optional>
@@ -54,7 +54,7 @@ struct DriveEmission {
     std::uint32_t fault_sites = 0;         ///< number of places to which the requested fault applies
 };
 
-/// Emits the controller of one component. Constructs without C++ are rejected by name, as by emit().
+/// Emits the controller of one component. Like emit(), rejects constructs without a translation to C++ by name.
 [[nodiscard]] DriveEmission emit_drive(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,
                                        const Options&, diagnostics::Diagnostics&);
 

@@ -13,13 +13,13 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// A running unit and the place of its state.
+/// A running unit and the expression for its frame.
 struct Running {
     const Unit* unit = nullptr;
     std::string frame;
 };
 
-/// A send site and the frame in which its thread runs, after the frames of the operations that called it.
+/// A send site, and the frame in which its thread runs, preceded by the frames of the operations that called it.
 struct Place {
     std::vector<Running> calls;
     const SendSite* site = nullptr;
@@ -51,7 +51,8 @@ public:
     }
 
 private:
-    /// Collects the unit's own sites, then those of the operations that its threads run, through all nested calls.
+    /// Collects the sites of the last unit in `calls`, then the sites of the operations that its threads run, through
+    /// all nested calls.
     void collect(const std::vector<Running>& calls, const std::string& channel) {
         const Component& component = generation_.component;
         const Running& running = calls.back();
@@ -65,7 +66,7 @@ private:
         }
     }
 
-    /// Declares names for the state of the site's unit and of the operations that lend it variables.
+    /// Declares names for the frame of the site's unit and for the frames of the operations that lend it variables.
     void bind(const Place& place, const std::string& reference) {
         const Running& running = place.calls.back();
         out_.line(fmt::format("{}f = {};", reference, running.frame));
@@ -109,7 +110,7 @@ private:
     std::vector<Place> places_;
 };
 
-/// "state_.stm0" of each part.
+/// The expression for the frame of each part: "state_.stm0".
 std::vector<std::string> each_part(const Generation& generation, const char* format) {
     std::vector<std::string> result;
     for (const Part& part : generation.component.parts)

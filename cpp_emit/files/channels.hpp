@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The code that concerns several machines: rendezvous, buffers, the state around the machines' frames, one cycle of all
-// machines (semantics 3.9).
+// Writes the code that concerns several machines: rendezvous, buffers, the state around the machines' frames, and one
+// cycle of all machines (semantics 3.9).
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace robochart::cpp_emit {
 /// Writes `sites_C`, `offers_C`, `accept_C` for each channel C: where its sender may wait; whether it waits, and with
 /// which value; and how to advance it.
 void write_channels(const Generation&, const Core&, CodeWriter&);
-/// Members of State that belong to no single machine: buffers, shared variables of several machines.
+/// The members of State that belong to no single machine: buffers, and shared variables of several machines.
 [[nodiscard]] std::vector<Field> common_fields(const Generation&);
 /// The layout of the State that contains the frames of several machines.
 [[nodiscard]] FrameLayout composed_layout(const Generation&, const Core&, std::vector<Field> more);

@@ -25,8 +25,8 @@ void numeric_aliases(CodeWriter& out) {
 }
 
 std::string bound_text(const Core& core) {
-    // A cycle may visit each place as often as a loop over a variable does; a model that needs more steps without the
-    // passing of time is assumed to diverge.
+    // Bounds the steps of a cycle. A cycle may visit each place as often as a loop over a variable does. A model that
+    // needs more steps without the passing of time is assumed to diverge.
     std::size_t places = 0;
     for (const MachineCode& machine : core.machines)
         for (const Enumeration& enumeration : machine.enumerations) places += enumeration.values.size();
@@ -43,7 +43,7 @@ void write_enumeration(CodeWriter& out, const Enumeration& enumeration) {
     out.close("};");
 }
 
-/// `lhs.x == rhs.x && ...`, for language standards without defaulted comparison.
+/// Writes the comparison `lhs.x == rhs.x && ...`, for language standards without defaulted comparison.
 void write_comparison(CodeWriter& out, const std::string& name, const std::vector<std::string>& fields) {
     std::vector<std::string> equal;
     for (const std::string& field : fields) equal.push_back(fmt::format("lhs.{0} == rhs.{0}", field));
@@ -56,7 +56,7 @@ void write_comparison(CodeWriter& out, const std::string& name, const std::vecto
         "friend constexpr bool operator!=(const {0}& lhs, const {0}& rhs) noexcept {{ return !(lhs == rhs); }}", name));
 }
 
-/// The first member that differs decides; sets sort their elements in this order.
+/// Writes the order in which sets sort their elements: the first member that differs decides.
 void write_order(CodeWriter& out, const std::string& name, const std::vector<std::string>& fields) {
     out.open(fmt::format("friend constexpr bool operator<(const {0}& lhs, const {0}& rhs) noexcept {{", name));
     for (const std::string& field : fields)
@@ -65,7 +65,7 @@ void write_order(CodeWriter& out, const std::string& name, const std::vector<std
     out.close();
 }
 
-/// A static function that makes a value from its members.
+/// Writes a static function that makes a value from its members.
 void write_maker(const Generation& generation, CodeWriter& out, const std::string& type, const std::string& maker,
                  const std::vector<TypeMember>& given, const std::string& also) {
     std::vector<std::string> parameters;
@@ -178,7 +178,7 @@ void write_frame(const Generation& generation, CodeWriter& out, const Unit& unit
     write_struct(generation, out, unit.frame, layout);
 }
 
-/// The State that contains the frames of several machines.
+/// Writes the State that contains the frames of several machines.
 void write_state(const Generation& generation, CodeWriter& out, const FrameLayout& layout) {
     out.gap();
     out.doc(fmt::format("The whole state of {}: a value without padding, equal states have equal bytes.",
@@ -264,8 +264,8 @@ void write_variables(const Generation& generation, CodeWriter& out) {
     }
 }
 
-/// The memories that propagate writes to the machines accept one write at a time; a machine that holds up a write holds
-/// up the later ones too (semantics 3.7).
+/// Writes the propagation. The memories that propagate writes to the machines accept one write at a time. A machine
+/// that holds up a write holds up the later writes too (semantics 3.7).
 void write_propagation(const Generation& generation, CodeWriter& out) {
     const Component& component = generation.component;
     for (const StoredVariable& variable : component.variables) {
@@ -300,7 +300,8 @@ void keep(CodeWriter& out, const EventPort& event) {
     out.line(fmt::format("if (inputs_.{0}.present) state_.kept_value_{0} = inputs_.{0}.value;", event.input));
 }
 
-/// External writes take effect at once; with Fault::outside_write_late they are added to `late`, after the cycle.
+/// Writes the effect of external writes, which is immediate. With Fault::outside_write_late they are added to `late`,
+/// after the cycle.
 void write_outside(const Generation& generation, const StoredVariable& variable, CodeWriter& out,
                    std::vector<std::string>& late) {
     const std::string line =
@@ -328,7 +329,7 @@ void write_cycle(const Generation& generation, const Core& core, CodeWriter& out
     out.close();
 }
 
-/// The hook produces no code if the platform does not use it.
+/// Writes the trace hook. It produces no code if the platform does not use it.
 void write_hook(const Generation& generation, CodeWriter& out) {
     out.declaration(fmt::format("Tells a platform that has a method `taken` of a transition; {}_trace.hpp names them.",
                                 generation.component.cpp_name),
@@ -387,7 +388,7 @@ void write_step_class(const Generation& generation, const Core& core, CodeWriter
 
 namespace {
 
-/// Members of the state for inputs that outlive their cycle.
+/// The members of the state for inputs that outlive their cycle.
 std::vector<Field> kept_fields(const Generation& generation, const Core& core) {
     std::vector<Field> fields;
     for (const EventPort* event : core.kept) {

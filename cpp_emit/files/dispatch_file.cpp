@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The event API of the core: `Event`, `begin`, `dispatch` and `pass`, with a switch or a table if no action waits.
+// Writes the event API of the core: `Event`, `begin`, `dispatch` and `pass`, with a switch or a table if no action
+// waits.
 #include <fmt/format.h>
 
 #include <set>

@@ -12,7 +12,7 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// The member that shows the state of the part's machine.
+/// The name of the member that shows the state of the part's machine.
 std::string member_of(const Part& part) {
     return part.tag.empty() ? "state" : part.tag + ".state";
 }
@@ -53,7 +53,7 @@ private:
         }
     }
 
-    /// Whether the platform raises the machine's event, and as which of its events.
+    /// For each event of the platform, whether the platform raises it as this event of the machine.
     [[nodiscard]] std::vector<bool> raised(const EventUse& use) const {
         std::vector<bool> result(events_.size());
         for (const std::size_t port : use.ports) {
@@ -63,7 +63,7 @@ private:
         return result;
     }
 
-    /// The events awaited by the transitions of a state and of its enclosing states.
+    /// The events that the transitions of a state and of its enclosing states await.
     struct Awaited {
         explicit Awaited(std::size_t events) : all(events), taken(events), level(events, EventPlace::no_level) {}
         std::vector<bool> all;             ///< some transition awaits it
@@ -97,7 +97,7 @@ private:
             }
     }
 
-    /// Follows a transition through junctions to its targets.
+    /// Follows a transition through junctions to its targets, and adds the conditions of the junctions' transitions.
     void lead(const Part& part, const ir::Machine& machine, ir::NodeId target, Awaited& awaited) const {
         std::vector<ir::NodeId> open;
         if (target.valid()) open.push_back(target);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exploration interface: the core over finite carriers, called through the C functions of explore_abi.h.
+// Writes the exploration interface: the core over finite carriers, called through the C functions of explore_abi.h.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -136,8 +136,8 @@ private:
 
     std::string type(ir::TypeId id) const { return cpp_type(generation_.system, id, spelling()); }
 
-    /// The table of all values of a composed type at the boundary; the type's numbers are indices into it. Compilers
-    /// limit the work for a constant expression.
+    /// The table of all values of a composed type at the boundary. The numbers of the type are indices into it. A table
+    /// is used because compilers limit the work for a constant expression.
     std::string table(ir::TypeId id) const { return fmt::format("all_values_{}", id.index); }
 
     void value_tables() {
@@ -162,7 +162,7 @@ private:
                                                      : fmt::format("robochart::to_raw({})", value);
     }
 
-    /// Functions may have any value that the semantics gives them; the default is one of these (semantics 3.13).
+    /// Functions may have any value that the semantics allows; the default value is one of these (semantics 3.13).
     void functions_of_the_model() {
         for (const FunctionHook& hook : generation_.component.functions) {
             const ir::Function& function = generation_.system.functions[hook.id.index];
@@ -264,7 +264,7 @@ private:
         out_.close();
     }
 
-    /// The event API, if there is one.
+    /// Writes the event API if the component has one.
     void event_functions() {
         const std::size_t events = input_events(generation_.component).size();
         if (events == 0) return;

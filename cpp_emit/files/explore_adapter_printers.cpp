@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view buffer = "robochart::Buffer<";
 
-/// The type inside the brackets of a buffer, if the field holds one.
+/// The type inside the brackets of a buffer. If the field is no buffer, its type.
 std::string held(const std::string& type) {
     return type.starts_with(buffer) ? type.substr(buffer.size(), type.size() - buffer.size() - 1) : type;
 }
@@ -31,7 +31,7 @@ bool filler(const Field& field) {
     return field.name.starts_with("filler[");
 }
 
-/// Types whose values have a name in the model and no parts.
+/// Whether values of the type have a name in the model and no parts.
 bool named_type(const ir::Type& type) {
     return type.kind == ir::TypeKind::enumeration && !is_struct(type);
 }
@@ -86,7 +86,7 @@ std::string StatePrinters::value_printer(const std::string& type, const std::str
     return fmt::format("text.add(static_cast<std::int64_t>({}), 1);", value);
 }
 
-/// Operations that do not run are in their initial state.
+/// An operation that does not run is in its initial state.
 void StatePrinters::print_frame(CodeWriter& out, const Field& field) const {
     out.open(fmt::format("if (!(f.{} == core::{}<Checking>{{}})) {{", field.name,
                          field.type.substr(0, field.type.size() - std::string_view("<Types>").size())));

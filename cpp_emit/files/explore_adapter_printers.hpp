@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the exploration interface prints a state: functions in its source that print the name and value of each field.
+// Writes the functions with which the exploration interface prints a state: they print the name and value of each
+// field.
 #pragma once
 
 #include <string>
@@ -12,7 +13,7 @@ class StatePrinters {
 public:
     StatePrinters(const Generation& generation, const Core& core) : generation_(generation), core_(core) {}
 
-    /// Whether some field has parts; they are printed as in logs (robochart/explore_values.hpp, NAME_trace.hpp).
+    /// Whether some field has parts. Such values are printed as in logs (robochart/explore_values.hpp, NAME_trace.hpp).
     [[nodiscard]] bool words_of_logs() const;
     /// Writes the functions `print`; the last one prints the whole state.
     void write(CodeWriter&) const;

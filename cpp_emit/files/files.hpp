@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of an emission, one function each.
+// Writes the files of an emission, with one function for each file.
 #pragma once
 
 #include <string>
@@ -12,18 +12,18 @@ namespace robochart::cpp_emit {
 /// The parts of the core's text that several files use.
 struct Core {
     std::string name_space;              ///< "aggregation::AggregationFSM_core"
-    std::string relative;                ///< the same as seen from the package's namespace
+    std::string relative;                ///< the same namespace, relative to the package's
     std::string header;                  ///< file name
     std::vector<MachineCode> machines;   ///< in the order of Component::units
     FrameLayout layout;                  ///< layout of State
     std::vector<const EventPort*> kept;  ///< Fault::event_kept: inputs that outlive the cycle
 };
 
-/// Generates the machines' code.
+/// Generates the code of all machines.
 [[nodiscard]] Core make_core(const Generation&);
-/// The core: enumerations, State, Inputs, Step and step().
+/// The core file: enumerations, State, Inputs, Step and step().
 [[nodiscard]] std::string core_header(const Generation&, const Core&);
-/// The layout of State as a table, and the names of places (runtime/layout.hpp).
+/// The file with the layout of State as a table, and the names of places (runtime/layout.hpp).
 [[nodiscard]] std::string layout_header(const Generation&, const Core&);
 /// Writes the concept that corresponds to the comment with the platform's methods, for calls like
 /// "turn(std::declval<Real>())".
@@ -31,18 +31,19 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 /// The source that exports robochart_explore() (runtime/explore_abi.h).
 [[nodiscard]] std::string shim_source(const Generation&, const Core&);
 
-/// Places where machines are busy in a state that awaits events, and states where every transition on an event has a
-/// condition.
+/// The places in which a machine is busy while its state awaits events, and the states in which every transition on an
+/// event has a condition.
 [[nodiscard]] std::vector<EventPlace> event_places(const Generation&, const Core&);
-/// For each event that the platform raises, in the order of Inputs: whether it is awaited while a machine is busy, in
-/// machines that have an action that may take time.
+/// For each event that the platform raises, in the order of Inputs: whether it can be lost while a machine is busy.
+/// That is possible if the machine awaits the event and has an action that may take time.
 [[nodiscard]] std::vector<bool> lost_in_actions(const Generation&, const Core&);
 
-/// The header for a traced controller: its transitions by number, its runs as logs (runtime/trace.hpp, docs/traces.md).
+/// The header for a traced controller. It lists the transitions by number and writes runs as logs (runtime/trace.hpp,
+/// docs/traces.md).
 [[nodiscard]] std::string trace_header(const Generation&, const Core&);
 [[nodiscard]] std::string trace_header_name(const Generation&);
 
-/// Texts of the headers in cpp_emit/runtime, built into the program.
+/// The texts of the headers in cpp_emit/runtime, which are built into this program.
 [[nodiscard]] std::string runtime_header();
 [[nodiscard]] std::string finite_header();
 [[nodiscard]] std::string timer_header();
@@ -66,7 +67,7 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 
 /// Writes "Generated from RoboChart ... edit the model" at the top of a file.
 void file_comment(const Generation&, CodeWriter&, const std::string& what);
-/// The C++ namespace for a package: "a::b", or "robot" for the unnamed one.
+/// The C++ namespace for a package: "a::b", or "robot" for the unnamed package.
 [[nodiscard]] std::string package_namespace(const std::string& package);
 
 }  // namespace robochart::cpp_emit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Information for tools about a generated controller: the layout of its state as a table, the names of places, and, for
-// compilers that support them, the platform as a concept.
+// Writes information about a generated controller for tools: the layout of its state as a table, the names of places,
+// and, for compilers that support concepts, the platform as a concept.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -54,7 +54,7 @@ private:
             "\"no padding\");");
     }
 
-    /// The layout if the type is a frame; otherwise null.
+    /// The layout of the frame with this type; null if the type is no frame.
     [[nodiscard]] const FrameLayout* frame(const std::string& type) const {
         const auto& units = generation_.component.units;
         for (std::size_t i = 0; i < units.size(); ++i)
@@ -80,7 +80,7 @@ private:
         }
     }
 
-    /// The number of values if the type is an enumeration of the core.
+    /// The number of values of the type; 0 if the type is no enumeration of the core.
     [[nodiscard]] std::size_t values_of(const std::string& type) const {
         for (const MachineCode& machine : core_.machines)
             for (const Enumeration& enumeration : machine.enumerations)

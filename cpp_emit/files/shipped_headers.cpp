@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All headers of cpp_emit/runtime for the conformance check, and those that a component's values need.
+// Lists all headers of cpp_emit/runtime for the conformance check, and the headers that the values of a component need.
 #include "cpp_emit/files/shipped_headers.hpp"
 
 #include "cpp_emit/files/files.hpp"

@@ -11,7 +11,7 @@ namespace robochart::cpp_emit {
 
 /// All headers that generated code may include, below robochart/.
 [[nodiscard]] std::vector<OutputFile> shipped_headers();
-/// Those of these headers that the component needs.
+/// The headers among these that the component needs.
 [[nodiscard]] std::vector<OutputFile> value_headers(const Component&);
 
 }  // namespace robochart::cpp_emit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// NAME_trace.hpp: the transitions of a controller by number, and its cycles in the form of a log (docs/traces.md;
-// reference API: the metadata and the trace hook of etcd's raft, compiled only on request).
+// Writes NAME_trace.hpp: the transitions of a controller by number, and its cycles in the form of a log
+// (docs/traces.md). Reference API: the metadata and the trace hook of etcd's raft, compiled only on request.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -79,7 +79,7 @@ private:
                         cpp_string(diagnostics::shown(generation_.file(component.origin.span))), transitions_));
     }
 
-    /// Writes how values of the declared types are printed: names are those of the model.
+    /// Writes functions that print values of the declared types with the names of the model.
     void declared_values() {
         for (const ir::TypeId id : generation_.component.enumerations) {
             const ir::Type& type = generation_.system.type(id);
@@ -128,7 +128,8 @@ private:
         out_.close();
     }
 
-    /// "(1,2)"; a single value has no parentheses unless it belongs to a literal.
+    /// Writes code that prints a value's members as "(1,2)". A single member has no parentheses unless it belongs to a
+    /// literal.
     void member_values(const std::vector<TypeMember>& parts, bool of_literal = false) {
         const bool brackets = of_literal || parts.size() > 1;
         for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -168,7 +169,7 @@ private:
         return listed(parts);
     }
 
-    /// A method that forwards its call.
+    /// Writes a method that forwards its call to the platform.
     void forward(const std::string& result, const std::string& method, const std::vector<ir::TypeId>& types) {
         out_.line(fmt::format("{} {}({}) noexcept {{ return platform_.{}({}); }}", result, method, parameters(types),
                               method, arguments(types.size())));

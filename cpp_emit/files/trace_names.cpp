@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The short name of each input and output (`e` for `e.in`), unless two would share it.
+// Gives each input and output its short name (`e` for `e.in`), unless two of them would share the name.
 #include "cpp_emit/files/trace_names.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of inputs and outputs in logs of runs (docs/traces.md): those of the model if they are unique.
+// Names of inputs and outputs in logs of runs (docs/traces.md): the names of the model if they are unique.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace robochart::cpp_emit {
 inline constexpr int trace_version = 1;
 
 /// Converts names of the interfaces in runtime/ ("seeRobot.in", "set_EXT_reached", "MoveCall", "set_linearSpeed") to
-/// "seeRobot", "reached", "Move", "linearSpeed". A name that two would share stays unchanged. Inputs and outputs are
-/// converted separately.
+/// "seeRobot", "reached", "Move", "linearSpeed". A name stays unchanged if two would become equal. Inputs and outputs
+/// are converted separately.
 [[nodiscard]] std::vector<std::string> trace_names(const std::vector<std::string>& interface_names);
 
 }  // namespace robochart::cpp_emit

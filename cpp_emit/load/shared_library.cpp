@@ -31,8 +31,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The environment for a program that puts its temporary files into this folder, because a killed program does not
-/// delete them.
+/// The environment for a program whose temporary files go to this folder. A killed program does not delete its files.
 std::vector<std::string> environment_within(const fs::path& folder) {
     std::vector<std::string> result{"TMPDIR=" + fs::absolute(folder).string()};
     for (char** entry = environ; *entry != nullptr; ++entry)
@@ -47,8 +46,8 @@ std::vector<char*> as_argv(const std::vector<std::string>& words) {
     return result;
 }
 
-/// Starts the program as the leader of a process group, so that it can be killed with all its child processes, and with
-/// default signal handling, independently of this program's. Returns 0 and sets `error` if it cannot be started.
+/// Starts the program with default signal handling, independently of this program's. It leads a process group, so that
+/// it can be killed with all its child processes. Returns 0 and sets `error` if it cannot be started.
 pid_t start(const std::vector<std::string>& command, const std::string& log, std::string& error) {
     const std::vector<char*> arguments = as_argv(command);
     const std::vector<std::string> variables = environment_within(fs::path(log).parent_path());
@@ -79,7 +78,7 @@ pid_t start(const std::vector<std::string>& command, const std::string& log, std
     return 0;
 }
 
-/// Polls until the program has ended. It does not reap the process, so that its number is not reused.
+/// Polls until the program has ended. Does not reap the process, so that its number is not reused.
 void wait_within(pid_t child, diagnostics::Budget& budget) {
     siginfo_t ended{};
     const auto running = [&] {
@@ -141,12 +140,12 @@ std::vector<std::string> command_line(const BuildOptions& options, const fs::pat
     std::vector<std::string> command{options.compiler};
     for (std::string& flag : words(options.flags)) command.push_back(std::move(flag));
     command.insert(command.end(), {"-shared", "-fPIC", "-fvisibility=hidden", "-I", folder.string(), "-o", target});
-    // Absolute paths, because a compiler does not take "-x" and "@x" as file names.
+    // absolute paths, because a compiler does not accept "-x" and "@x" as file names
     for (const std::string& source : sources) command.push_back(fs::absolute(folder / source).string());
     return command;
 }
 
-/// Whether the compiler ran out of memory, which says nothing about the code.
+/// Whether the compiler ran out of memory. In that case its failure is no evidence about the code.
 bool lacked_memory(const std::string& said) {
     const auto says = [&](const char* words) { return said.find(words) != std::string::npos; };
     return says("memory exhausted") || says("out of memory") || says("annot allocate memory") ||
@@ -190,7 +189,7 @@ std::optional<std::string> compiler_identity(const BuildOptions& options, const 
     return identity;
 }
 
-/// A key that is equal for files and compilers that produce the same object.
+/// A key for the cache. Equal keys mean that files and compilers produce the same object.
 std::optional<diagnostics::Digest> key_of(const std::vector<OutputFile>& files, const std::vector<std::string>& sources,
                                           const BuildOptions& options, const fs::path& folder) {
     if (options.cache == nullptr) return std::nullopt;
@@ -208,7 +207,7 @@ std::optional<diagnostics::Digest> key_of(const std::vector<OutputFile>& files, 
     return hasher.finish();
 }
 
-/// Copies an object that an earlier run has compiled to `path`; false if there is none.
+/// Copies an object that an earlier run has compiled to `path`. Returns false if the cache has no such object.
 bool restored(const std::optional<diagnostics::Digest>& key, const BuildOptions& options, const std::string& path) {
     if (!key) return false;
     const auto object = options.cache->find(*key);

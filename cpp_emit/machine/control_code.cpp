@@ -33,7 +33,7 @@ void ControlCode::control_places() {
     }
 }
 
-/// Initial nodes and junctions.
+/// Writes the place of an initial node or junction.
 void ControlCode::choice(NodeId id) {
     const bool first = id == plan_.machine().initial;
     const bool stays = plan_.straight(id) && !plan_.passes(id) && straight_.pass_function(id);
@@ -49,7 +49,7 @@ void ControlCode::choice(NodeId id) {
     program.line("break;");
 }
 
-/// Probabilistic junctions: a nondeterministic choice in the semantics, drawn by the platform.
+/// Writes the place of a probabilistic junction: a nondeterministic choice in the semantics, drawn by the platform.
 void ControlCode::draw_place(NodeId id) {
     ProgramWriter program(generation_, unit_, control_, plan_.node(id).parent);
     program.begin(plan_.label(id), generation_.place(plan_.node(id).origin));
@@ -82,7 +82,7 @@ void ControlCode::draw_place(NodeId id) {
     program.code().line("break;");
 }
 
-/// The entry of a node whose entry action may wait.
+/// Writes the place for entering a node whose entry action may wait.
 void ControlCode::enter_place(NodeId id) {
     const bool state = plan_.node(id).kind == NodeKind::state;
     ProgramWriter program(generation_, unit_, control_, state ? id : plan_.node(id).parent);
@@ -104,7 +104,8 @@ void ControlCode::exits(NodeId id) {
     if (plan_.shared_exit(id)) exit_place(id);
 }
 
-/// A shared exit place: the state's exit action, then the transition that leaves it or the exit of its parent.
+/// Writes a shared exit place: the state's exit action, then the transition that leaves the state, or the exit of its
+/// parent.
 void ControlCode::exit_place(NodeId id) {
     ProgramWriter program(generation_, unit_, control_, id);
     const ir::Node& node = plan_.node(id);
@@ -133,7 +134,8 @@ void ControlCode::take(ir::TransitionId id) {
     if (transition.action) straight_.take_function(id);
 }
 
-/// The exit action of the source, unless it has a separate place, and the transition's action; one of them may wait.
+/// Writes the place for taking a transition: the exit action of its source, unless that has a separate place, and the
+/// transition's action. One of the two may wait.
 void ControlCode::take_place(ir::TransitionId id) {
     ProgramWriter program(generation_, unit_, control_, shown_while_taking(id));
     const ir::Transition& transition = plan_.machine().transitions[id.index];
@@ -150,7 +152,8 @@ void ControlCode::take_place(ir::TransitionId id) {
     program.line("break;");
 }
 
-/// During a transition's action the machine shows its source, or the parent of an initial node or junction.
+/// The state that the machine shows during a transition's action: the source, or the parent of an initial node or
+/// junction.
 ir::NodeId ControlCode::shown_while_taking(ir::TransitionId id) const {
     const NodeId source = plan_.machine().transitions[id.index].source;
     return plan_.node(source).kind == NodeKind::state ? source : plan_.node(source).parent;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control and during threads: entry, exit and transition actions in the order of semantics 3.4:
-// exits innermost first, transition action, target's entry, initial transition and first child, `entered`.
+// Writes the control and during threads: entry, exit and transition actions in the order of semantics 3.4. That order
+// is exits (innermost first), transition action, target's entry, initial transition and first child, `entered`.
 #pragma once
 
 #include "cpp_emit/machine/order_fault_code.hpp"
@@ -18,9 +18,9 @@ public:
           straight_(context, faults, steps),
           order_(context, faults, steps) {}
 
-    /// All functions and places of nodes and transitions.
+    /// Writes all functions and places of nodes and transitions.
     void control_places();
-    /// The programs of the during actions.
+    /// Writes the programs of the during actions.
     void during_places();
 
 private:

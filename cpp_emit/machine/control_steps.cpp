@@ -132,7 +132,7 @@ bool ControlSteps::ways(NodeId id, CodeWriter& out, const char* end) {
     return true;
 }
 
-/// The same, but the platform picks one of those whose guards hold.
+/// Does the same, but the platform picks one of the transitions whose guards hold.
 bool ControlSteps::pick_way(NodeId id, CodeWriter& out, const char* end) {
     const bool function = *end == 'r';
     const auto& outgoing = plan_.node(id).outgoing;
@@ -171,7 +171,7 @@ std::string ControlSteps::tell_taken(ir::TransitionId id) const {
     return fmt::format("taken({});", transition_number(unit_, id));
 }
 
-/// With choices: the guard, and the condition that the transition has been picked.
+/// With choices: the guard, and the condition that the platform has picked the transition.
 CppExpr ControlSteps::in_turn(const CppExpr& guard) const {
     return generation_.options.choices ? conjunction(guard, CppExpr("in_turn()")) : guard;
 }

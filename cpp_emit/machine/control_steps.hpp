@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The steps of control as statements: a transition continues, control enters a node, a state is left. The continuation
-// of a program is one statement: the next function, or the place where control resumes later.
+// Writes the steps of control as statements: a transition continues, control enters a node, a state is left. Each
+// continuation is one statement, which calls the next function or sets the place where control resumes later.
 #pragma once
 
 #include "cpp_emit/expressions/cpp_expr.hpp"
@@ -40,7 +40,7 @@ public:
     [[nodiscard]] CppExpr guard(const ir::Transition&, const std::string& incoming) const;
     /// The call of the trace hook.
     [[nodiscard]] std::string tell_taken(ir::TransitionId) const;
-    /// With choices: the guard, and the condition that the transition has been picked.
+    /// With choices: the guard, and the condition that the platform has picked the transition.
     [[nodiscard]] CppExpr in_turn(const CppExpr& guard) const;
     /// The statement that starts a deadline.
     [[nodiscard]] std::string start_of(const Watch&) const;

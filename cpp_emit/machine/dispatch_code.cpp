@@ -22,7 +22,7 @@ constexpr std::size_t leaves_for_table = 5;
 
 }  // namespace
 
-/// Every transition is one straight effect, so control rests only in states (or in a junction without an enabled
+/// If every transition is one straight effect, control rests only in states (or in a junction without an enabled
 /// transition).
 bool DispatchCode::direct() const {
     const auto& nodes = plan_.machine().nodes;
@@ -40,7 +40,7 @@ bool DispatchCode::direct() const {
            std::ranges::none_of(transitions, waits);
 }
 
-/// Whether the transition waits for no event of the platform.
+/// Whether the transition can be taken without an event of the platform.
 bool DispatchCode::urgent(const ir::Transition& transition) const {
     return !transition.trigger || generation_.component.event(unit_, transition.trigger->event).spontaneous();
 }
@@ -51,7 +51,7 @@ bool DispatchCode::asks_for(const ir::Transition& transition, const EventPort& p
     return &generation_.component.events[use.ports.front()] == &port;
 }
 
-/// Whether a transition of the node or its parents needs no event, or control may continue from a junction.
+/// Whether control may continue without an event: by a transition of the node or its parents, or from a junction.
 bool DispatchCode::goes_on(NodeId rest) const {
     if (!plan_.settles(rest)) return true;
     const std::vector<NodeId> chain = plan_.chain(rest);
@@ -94,7 +94,7 @@ std::string DispatchCode::rest_result() const {
                                     "robochart::StepResult::quiescent;";
 }
 
-/// A transition from a leaf, taken on `port`'s event, or without an event if `port` is null.
+/// Writes the effect of a transition from a leaf, taken on the event of `port`, or without an event if `port` is null.
 void DispatchCode::case_effect(const ir::Transition& transition, const EventPort* port, CodeWriter& out) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
     const bool consumes = !urgent(transition);
@@ -128,8 +128,8 @@ std::string DispatchCode::incoming(const ir::Transition& transition) const {
     return "inputs_." + generation_.component.events[use.ports.front()].input + ".value";
 }
 
-/// The transitions of a leaf and its parents that an event (or, for null, no event) may trigger, in the order in which
-/// they are tried.
+/// The transitions of a leaf and its parents that may be taken on an event (or, for null, without an event), in the
+/// order in which they are tried.
 std::vector<const ir::Transition*> DispatchCode::candidates(NodeId leaf, const EventPort* port) const {
     std::vector<NodeId> chain = plan_.chain(leaf);
     std::vector<std::vector<const ir::Transition*>> by_state;
@@ -155,7 +155,7 @@ CppExpr DispatchCode::case_condition(const ir::Transition& transition) const {
     return conjunction(wanted, steps_.guard(transition, value));
 }
 
-/// The code for control that does not rest in a state: at the beginning, or in a junction without an enabled
+/// Writes the code for control that does not rest in a state: at the beginning, or in a junction without an enabled
 /// transition.
 void DispatchCode::place_body(NodeId place, CodeWriter& out) {
     out.comment("from " + generation_.place(plan_.node(place).origin));
@@ -208,9 +208,9 @@ void DispatchCode::dispatch_function() {
         leaves += plan_.settles(row) ? 1U : 0U;
         quiet = quiet || (plan_.settles(row) && goes_on(row));
     }
-    // The row for the machine's beginning keeps its event.
-    const bool places =
-        std::ranges::any_of(rows, [&](NodeId row) { return !plan_.settles(row) && row != plan_.machine().initial; });
+    // the row for the machine's beginning stores its event
+    const bool places = std::any_of(rows.begin(), rows.end(),
+                                    [&](NodeId row) { return !plan_.settles(row) && row != plan_.machine().initial; });
     if (quiet || places) columns.push_back(nullptr);
     const Strategy wanted = generation_.options.strategy;
     const bool table = wanted == Strategy::table || (wanted == Strategy::automatic && leaves >= leaves_for_table);
@@ -225,7 +225,7 @@ void DispatchCode::dispatch_function() {
     } else {
         dispatch_switch(rows, columns);
     }
-    // Without such places, only the beginning, which occurs once, is followed by another look.
+    // without such places, only the beginning, which occurs once, is followed by another attempt
     if (columns.back() == nullptr) out_.line("if (!spend()) return robochart::StepResult::step_bound;");
     out_.close();
     out_.close();
@@ -233,7 +233,7 @@ void DispatchCode::dispatch_function() {
     pass_function_of_time(columns);
 }
 
-/// Clocks start with the machine, so a cycle before the start does not count.
+/// Begins the machine. Clocks start with the machine, so a cycle before the start does not count.
 void DispatchCode::begin_machine(CodeWriter& out) {
     for (std::uint32_t index = 0; index < unit_.clock_fields.size(); ++index)
         if (unit_.clock_read[index] &&
@@ -257,7 +257,7 @@ void DispatchCode::begin_function(const std::vector<const EventPort*>& columns) 
     out_.close();
 }
 
-/// A cycle without inputs: transitions that need no event, then time passes.
+/// Writes a cycle without inputs: transitions that need no event are taken, then time passes.
 void DispatchCode::pass_function_of_time(const std::vector<const EventPort*>& columns) {
     out_.declaration("A cycle without inputs, once the machine has begun.", "robochart::StepResult pass() noexcept {");
     out_.line(fmt::format("[[maybe_unused]] {}& f = state_;", frame_type()));
@@ -276,7 +276,7 @@ void DispatchCode::pass_function_of_time(const std::vector<const EventPort*>& co
     out_.close();
 }
 
-/// The event itself; with Fault::dispatch_shifted the next one, if it is another case.
+/// The port whose event selects the case; with Fault::dispatch_shifted the next port, if it selects another case.
 const EventPort* DispatchCode::taken_for(NodeId row, const EventPort& port,
                                          const std::vector<const EventPort*>& columns) {
     const auto place = static_cast<std::size_t>(std::ranges::find(columns, &port) - columns.begin());

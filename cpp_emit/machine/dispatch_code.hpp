@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The event API of a machine whose programs never wait. The reaction of a state to an event is one case, selected by a
-// nested switch or, from five states on, by a dense table. Each case tries the transitions as step() does: inner states
-// first, then textual order (semantics 3.4). Then it takes transitions that need no event until none is enabled.
+// Writes the event API of a machine whose programs never wait. The reaction of a state to an event is one case,
+// selected by a nested switch or, from five states on, by a dense table. Each case tries the transitions in the order
+// of step(): inner states first, then textual order (semantics 3.4). Then it takes transitions that need no event until
+// none is enabled.
 #pragma once
 
 #include "cpp_emit/machine/frame_code.hpp"
 
 namespace robochart::cpp_emit {
 
-/// Writes it; the threads must have been written before.
+/// Writes the event API. The threads must have been written before.
 class DispatchCode : private MachineCodePart {
 public:
     DispatchCode(MachineContext& context, ControlSteps& steps, const TimeCode& time, const FrameCode& frame)
@@ -17,7 +18,7 @@ public:
     /// Whether every transition is one straight effect, so that control rests only in states (or in a junction without
     /// an enabled transition), and dispatch can be written as a switch.
     [[nodiscard]] bool direct() const;
-    /// dispatch, begin and pass.
+    /// Writes dispatch, begin and pass.
     void dispatch_function();
 
 private:

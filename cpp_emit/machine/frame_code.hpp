@@ -6,7 +6,7 @@
 
 namespace robochart::cpp_emit {
 
-/// Describes them; the threads must have been written before.
+/// Describes the struct and its enumerations. The threads must have been written before.
 class FrameCode : private MachineCodePart {
 public:
     FrameCode(MachineContext& context, const TimeCode& time) : MachineCodePart(context), time_(time) {}

@@ -9,8 +9,8 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// The filler's size as C++, for members whose sizes are known when the code is compiled. There are no empty arrays, so
-/// it is never zero.
+/// The filler's size as C++ text, for members whose sizes are known when the code is compiled. The size is never zero,
+/// because C++ has no empty arrays.
 std::string filler_text(const FrameLayout& layout) {
     std::string sum;
     for (const Field& field : layout.fields) sum += (sum.empty() ? "sizeof(" : " + sizeof(") + field.type + ")";

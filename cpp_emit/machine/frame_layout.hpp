@@ -14,8 +14,8 @@ namespace robochart::cpp_emit {
 struct Enumerator {
     std::string name;
     diagnostics::ForeignText comment;
-    ir::NodeId state;        ///< places of a machine: the state that it shows
-    bool rests = false;      ///< the machine is at rest there
+    ir::NodeId state;        ///< the state that a machine shows at this place
+    bool rests = false;      ///< whether the machine rests there
     ir::NodeId target = {};  ///< the target of the transition whose action is in progress, if any
 };
 
@@ -41,12 +41,12 @@ struct FrameLayout {
     std::size_t size = 0;
     std::size_t alignment = 1;
     bool varies = false;  ///< see Extent
-    bool timed = false;   ///< some member changes with time
-    bool prompt = false;  ///< its threads, or those of operations in it, have prompt steps
-    bool holds = false;   ///< its threads, or those of operations in it, may hold up propagation to the machine
+    bool timed = false;   ///< whether some member changes with time
+    bool prompt = false;  ///< whether its threads, or those of operations in it, have prompt steps
+    bool holds = false;   ///< whether its threads, or those of operations in it, may hold up propagation to the machine
 };
 
-/// By Unit::number.
+/// The layouts of frames by Unit::number.
 using Layouts = std::map<std::size_t, FrameLayout>;
 
 /// Sorts fields by alignment and fills the struct up to a multiple of its alignment.

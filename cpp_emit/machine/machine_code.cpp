@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assembles a machine's code: threads as switches, the loop around them, time, the struct of its state.
+// Assembles a machine's code: threads as switches, the loop around them, time, and the struct of its state.
 #include "cpp_emit/machine/machine_code.hpp"
 
 #include <fmt/format.h>
@@ -137,7 +137,7 @@ void MachineWriter::during_functions() {
     out_.close();
 }
 
-/// The first exit: that of the innermost active state.
+/// Writes the function that begins the exits with that of the innermost active state.
 void MachineWriter::begin_exits_function() {
     const auto composite_exit = [&](NodeId id) { return plan_.shared_exit(id) && plan_.node(id).composite(); };
     std::vector<NodeId> leaves;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The code of one machine: enumerations of its places, the struct of its state, and its functions
-// (control, during actions, transitions, time), as text to be assembled by core_file.
+// Generates the code of one machine: enumerations of its places, the struct of its state, and its functions (control,
+// during actions, transitions, time). core_file assembles these texts.
 #pragma once
 
 #include <string>

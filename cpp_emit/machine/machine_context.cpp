@@ -51,7 +51,7 @@ MachineContext::MachineContext(const Generation& owner, const Unit& described, c
     }
     std::size_t durings = 0;
     for (const auto& node : unit.machine->nodes) durings += node.during ? 1U : 0U;
-    during.reserve(durings);  // no reallocation, because threads point to their own labels
+    during.reserve(durings);  // no reallocation, because threads have pointers to their own labels
     for (std::uint32_t index = 0; index < unit.machine->nodes.size(); ++index) {
         const NodeId id{index};
         if (!plan.node(id).during || runs_on_entry(id)) continue;

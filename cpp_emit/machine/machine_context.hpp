@@ -41,9 +41,9 @@ struct MachineContext {
     [[nodiscard]] std::string signature(const std::string& name) const;
     /// `name(f)`, with the states that the unit's functions take as arguments.
     [[nodiscard]] std::string call(const std::string& name) const;
-    /// The condition that the thread is in a call of the operation: "f.at == At::S1_1 || f.at == At::S1_2".
+    /// The condition that the thread calls the operation: "f.at == At::S1_1 || f.at == At::S1_2".
     [[nodiscard]] static std::string in_call(const Thread&, const CallFrame&);
-    /// `name(f.turn, ...)` for the called operation.
+    /// The call of the called operation's function: `name(f.turn, ...)`.
     [[nodiscard]] std::string call_inside(const CallFrame&, const std::string& name) const;
 
     const Generation& generation;

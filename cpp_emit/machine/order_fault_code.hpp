@@ -6,19 +6,19 @@
 
 namespace robochart::cpp_emit {
 
-/// Writes what a fault of OrderFaults moves to another place.
+/// Writes the code that a fault of OrderFaults moves to another place.
 class OrderFaultCode : private MachineCodePart {
 public:
     OrderFaultCode(MachineContext& context, OrderFaults& faults, ControlSteps& steps)
         : MachineCodePart(context), faults_(faults), steps_(steps) {}
 
-    /// The entry of a composite and of its first child, the child first.
+    /// Enters a composite and its first child, the child first.
     void enter_child_first(ProgramWriter&, ir::NodeId);
-    /// In the exit place of a state: the exit actions of its parents that run too early.
+    /// Writes the exit actions of a state's parents that run too early, in the exit place of the state.
     void exit_outer_before(ProgramWriter&, ir::NodeId);
-    /// In the exit place of a state: the actions of its outgoing transitions that run too early.
+    /// Writes the actions of a state's outgoing transitions that run too early, in the exit place of the state.
     void act_before(ProgramWriter&, ir::NodeId);
-    /// A transition's action after the entry of its target.
+    /// Writes a transition's action after the entry of its target.
     void act_late(ProgramWriter&, const ir::Transition&, const std::string& label);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seeded faults of order, which the IR cannot express: the order of actions when states are left and entered. In
+// Seeded faults in the order of actions when states are left and entered. The IR cannot express these faults. In
 // production all answers are false.
 #pragma once
 
@@ -14,7 +14,7 @@ public:
 
     /// Fault::entry_inner_first at a composite whose initial node leads unconditionally to a child.
     [[nodiscard]] bool enters_child_first(ir::NodeId);
-    /// That child; invalid if there is none.
+    /// The child that is entered first; invalid if there is none.
     [[nodiscard]] ir::NodeId sole_first_child(ir::NodeId) const;
     /// Fault::exit_outer_first: the composite's exit action runs before those of its inner states.
     [[nodiscard]] bool exits_first(ir::NodeId);

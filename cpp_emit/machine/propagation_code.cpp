@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Both functions test the places of the threads; threads of operations are tested inside their calls.
+// Both functions test the places of the threads. They test threads of operations inside the operations' calls.
 #include "cpp_emit/machine/propagation_code.hpp"
 
 #include <fmt/format.h>
@@ -51,7 +51,8 @@ bool PropagationCode::holds() const {
     });
 }
 
-/// For a machine in the variable's list of holders (Component::variables), and for the operations that it calls.
+/// Written for a machine in the variable's list of holders (Component::variables), and for the operations that it
+/// calls.
 void PropagationCode::holds_up_function() {
     if (!holds()) return;
     out_.declaration(

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Propagation of writes to a machine waits for its threads (semantics 3.7): calls of the platform are made before
-// others write, and communications with deadlines hold up writes of others.
+// Makes the propagation of writes to a machine wait for its threads (semantics 3.7). A thread makes its calls of the
+// platform before others write, and a communication with a deadline holds up writes of others.
 #pragma once
 
 #include "cpp_emit/machine/machine_context.hpp"
 
 namespace robochart::cpp_emit {
 
-/// Writes the functions for this; the threads must have been written before.
+/// Writes the functions prompt and holds_up. The threads must have been written before.
 class PropagationCode : private MachineCodePart {
 public:
     explicit PropagationCode(MachineContext& context) : MachineCodePart(context) {}
 
     /// Whether threads may continue with a step that holds up writes of others, here or in called operations.
     [[nodiscard]] bool prompt() const;
-    /// `void prompt(f)`: the threads make their calls, and begin to wait.
+    /// Writes `void prompt(f)`: the threads make their calls, and begin to wait.
     void prompt_function();
-    /// Whether threads wait for communications with deadlines, here or in called operations.
+    /// Whether threads may wait for communications with deadlines, here or in called operations.
     [[nodiscard]] bool holds() const;
-    /// `bool holds_up(f)`: whether some thread does.
+    /// Writes `bool holds_up(f)`: whether some thread waits in this way.
     void holds_up_function();
 
 private:

@@ -56,7 +56,7 @@ void StraightCode::take_function(ir::TransitionId id) {
     out_.close();
 }
 
-/// Initial nodes and junctions; returns true if control may have to stay there.
+/// Writes the function for an initial node or junction. Returns true if control may have to stay there.
 bool StraightCode::pass_function(NodeId id) {
     straight_function("pass_" + plan_.label(id), "Chooses at " + generation_.place(plan_.node(id).origin));
     const bool stays = steps_.ways(id, out_, "return;");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs that never wait, as functions: a transition whose exits, action and entries never wait is one straight
+// Writes programs that never wait as functions. A transition whose exits, action and entries never wait is one straight
 // effect, in the order of semantics 3.4 (exits from the innermost outwards, action, entries).
 #pragma once
 
@@ -7,21 +7,21 @@
 
 namespace robochart::cpp_emit {
 
-/// Writes them one by one.
+/// Writes the functions one by one.
 class StraightCode : private MachineCodePart {
 public:
     StraightCode(MachineContext& context, OrderFaults& faults, ControlSteps& steps)
         : MachineCodePart(context), faults_(faults), steps_(steps) {}
 
-    /// Entry of a node.
+    /// The function that enters a node.
     void enter_function(ir::NodeId);
-    /// Exit action of a state.
+    /// The function with the exit action of a state.
     void exit_function(ir::NodeId);
-    /// The exits of a composite state, from the innermost active state outwards.
+    /// The function with the exits of a composite state, from the innermost active state outwards.
     void leave_function(ir::NodeId);
-    /// Action of a transition, then the entry of its target.
+    /// The function with the action of a transition, followed by the entry of its target.
     void take_function(ir::TransitionId);
-    /// Initial nodes and junctions; returns true if control may have to stay there.
+    /// The function for an initial node or junction. Returns true if control may have to stay there.
     bool pass_function(ir::NodeId);
 
 private:

@@ -66,8 +66,8 @@ std::string TimeCode::holds(const ir::Transition& transition) const {
     return expressions.expression_asked(*transition.guard).whole();
 }
 
-/// The guard is evaluated wherever the model could be observed waiting: after each step, before effects that others can
-/// observe, and after clocks have advanced.
+/// The guard is evaluated wherever an observer could see the model wait: after each step, before effects that others
+/// can observe, and after clocks have advanced.
 void TimeCode::watch_function() {
     if (!guards_deadlines(*unit_.machine)) return;
     out_.declaration("A deadline begins anew while its guard does not hold.", signature("void watch"));

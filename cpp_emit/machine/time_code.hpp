@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time in a machine: clocks, waits, deadlines.
+// Writes the passing of time in a machine: clocks, waits, deadlines.
 #pragma once
 
 #include "cpp_emit/machine/control_steps.hpp"
@@ -13,9 +13,9 @@ public:
 
     /// Whether something in the frame changes with time.
     [[nodiscard]] bool timed() const;
-    /// Clocks, waits and deadlines advance.
+    /// Writes the function that advances clocks, waits and deadlines.
     void advance_function();
-    /// Restarts a deadline while its guard does not hold.
+    /// Writes the function that restarts a deadline while its guard does not hold.
     void watch_function();
 
 private:

@@ -37,7 +37,7 @@ void TransitionCode::transition_functions() {
     out_.close();
 }
 
-/// Reference API A6: the choices are counted in a pass that takes none of them.
+/// Reference API A6: a first pass counts the choices and takes none of them.
 void TransitionCode::pick_function() {
     out_.doc("Starts one of the enabled transitions: the platform picks, or it is the first.");
     out_.open(signature("bool transition"));

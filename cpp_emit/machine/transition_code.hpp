@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The choice of transitions: active states from the inside out, in each state the textual order. Triggers are examined
-// before they are consumed, and guards see the incoming value (semantics 3.4 "Guards").
+// Writes the choice of transitions: active states from the inside out, and in each state the textual order. Triggers
+// are examined before they are consumed, and guards see the incoming value (semantics 3.4 "Guards").
 #pragma once
 
 #include "cpp_emit/machine/control_steps.hpp"
@@ -13,7 +13,7 @@ public:
     TransitionCode(MachineContext& context, OrderFaults& faults, ControlSteps& steps)
         : MachineCodePart(context), faults_(faults), steps_(steps) {}
 
-    /// Writes a function for each state that can be left, and the one that tries them from the inside out.
+    /// Writes a function for each state that can be left, and the function that calls them from the inside out.
     void transition_functions();
 
 private:

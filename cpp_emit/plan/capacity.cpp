@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The capacity of a set in generated code: the number of values of its elements' type, so that no element is lost. The
-// same count is written as C++ text over the policy and computed over the instantiation's carriers.
+// The capacity of a set in generated code is the number of values of its elements' type, so that no element is lost.
+// The same count is written as C++ text over the policy, and computed over the instantiation's carriers.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Looks up the elements of the component that a unit's numbers denote.
+// Looks up the elements of the component that a unit refers to by number.
 #include <algorithm>
 
 #include "cpp_emit/plan/component.hpp"

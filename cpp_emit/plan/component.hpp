@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The component to generate, in its context: the machine that runs, the operations that it calls, and the appearance of
-// its events, calls and shared variables at its boundary (semantics 3.2 "visible alphabet per level", 3.7-3.9).
+// The component to generate, in its context: the machine that runs, the operations that it calls, and its events, calls
+// and shared variables as they appear at its boundary (semantics 3.2 "visible alphabet per level", 3.7-3.9).
 #pragma once
 
 #include <map>
@@ -28,8 +28,8 @@ struct EventPort {
     std::string output;  ///< method of the platform
 };
 
-/// An asynchronous connection between controllers: a buffer with one place, overwritten by the writer, emptied by the
-/// reader (semantics 3.9).
+/// An asynchronous connection between controllers: a buffer with one place, which the writer overwrites and the reader
+/// empties (semantics 3.9).
 struct Buffer {
     std::size_t connection = 0;  ///< index in the module
     std::string name;            ///< name of the writer's event
@@ -44,7 +44,7 @@ struct Peer {
     friend bool operator==(const Peer&, const Peer&) = default;
 };
 
-/// An event of a part's machine (and of its operations, which use the caller's events by name), and its connections.
+/// An event of a part's machine, and its connections. Operations of the machine use its events by name.
 struct EventUse {
     std::string name;
     std::string interface;
@@ -52,7 +52,7 @@ struct EventUse {
     bool received = false;
     bool sent = false;
     std::vector<std::size_t> ports;    ///< indices into Component::events
-    std::vector<Peer> peers;           ///< rendezvous
+    std::vector<Peer> peers;           ///< machines at the other ends of synchronous connections
     std::vector<std::size_t> filled;   ///< indices into Component::buffers: buffers that sending fills
     std::vector<std::size_t> emptied;  ///< indices into Component::buffers: buffers that receiving empties
     std::string channel;               ///< suffix of the functions of a rendezvous: offers_CHANNEL, accept_CHANNEL
@@ -66,27 +66,28 @@ struct EventUse {
 
 inline constexpr std::size_t no_part = static_cast<std::size_t>(-1);
 
-/// A machine that may hold up propagation to it: no write is propagated to it while one of its threads waits for a
+/// A machine that may hold up writes to it: no write is propagated to it while one of its threads waits for a
 /// communication with a deadline (semantics 3.7).
 struct PropagationHolder {
     std::size_t part = 0;
     std::string field;  ///< member of State: the number of writes that wait to be propagated to it
 };
 
-/// A variable of a machine or one that machines share. The semantics gives each machine a copy and propagates writes
-/// (semantics 3.7). Immediate propagation keeps all copies equal, so the code has one. If the environment propagates
-/// writes (the variable is declared outside the component), a machine does not see the others' writes before the
-/// environment passes them on. Then each machine has its own copy, and all copies receive external writes.
+/// A variable of a machine, or one that machines share. The semantics gives each machine a copy and propagates writes
+/// (semantics 3.7). Immediate propagation keeps all copies equal, so the code usually has a single copy. If the
+/// variable is declared outside the component, the environment propagates its writes, and a machine does not see writes
+/// of others before the environment passes them on. Then each machine has its own copy, and all copies receive external
+/// writes.
 struct StoredVariable {
     const ir::Variable* variable = nullptr;
     std::size_t home = no_part;   ///< the part whose frame contains it; no_part: State
     const void* level = nullptr;  ///< shared: the controller instance or module that declares it; null: declared
                                   ///< outside
     bool shared = false;          ///< belongs to a required interface
-    bool visible = false;         ///< writes are visible outside: set_x
-    bool external = false;        ///< may be written from outside: set_EXT_x
-    bool read = false;            ///< some expression depends on it
-    bool copy = false;            ///< a copy of an earlier entry, which has the names at the boundary
+    bool visible = false;         ///< whether writes are visible outside: set_x
+    bool external = false;        ///< whether it may be written from outside: set_EXT_x
+    bool read = false;            ///< whether some expression depends on it
+    bool copy = false;            ///< whether this is a copy of an earlier entry, which has the names at the boundary
     ir::Value initial;
     std::string field;         ///< member of the frame
     std::string path;          ///< path in State: "x", "stm0.x"
@@ -99,7 +100,7 @@ struct StoredVariable {
     std::string held_up;    ///< method of Step, if there are holders: whether the next write has to wait
     std::string propagate;  ///< method of Step, if there are holders: the steps after a write
 
-    /// Whether it has a member of the state; a shared variable that is never read has none.
+    /// Whether the variable is a member of the state. A shared variable that is never read is none.
     [[nodiscard]] bool stored() const { return read || !shared; }
 };
 
@@ -113,25 +114,25 @@ struct PlatformCall {
 struct FunctionHook {
     ir::FunctionId id;
     std::string method;
-    bool guarded = false;      ///< calls test its precondition first, which may be false
+    bool guarded = false;      ///< calls first test its precondition, which may be false
     std::string precondition;  ///< method of Step that tests the precondition
 };
 
-/// A type whose values the code enumerates: for bound variables, functions as values, toolkit functions.
+/// A type whose values the code enumerates, for bound variables, functions as values, or toolkit functions.
 struct CarrierUse {
     ir::TypeId type;
     std::string method;  ///< method of Step: any_Nat
 };
 
-/// An operation that the model defines. The platform may still perform it instead.
+/// An operation that the model defines. The platform may still perform it in the model's place.
 struct ModelledCall {
     const ir::OperationSignature* signature = nullptr;
     ir::MachineId definition;
     std::string method;  ///< method of the platform: returns true if it has performed the operation
 };
 
-/// The owner of the variable or clock that a name denotes. A required name in an operation denotes the element with
-/// this name in its caller, which may in turn belong to the caller's caller (semantics 3.8).
+/// The owner of the variable or clock that a name denotes. A required name in an operation denotes the caller's element
+/// with this name. That element may in turn belong to the caller's caller (semantics 3.8).
 struct Owner {
     std::size_t unit = 0;     ///< Unit::number
     std::uint32_t place = 0;  ///< index among the variables or clocks of its machine
@@ -214,23 +215,23 @@ struct Component {
     /// The unit that a call of a defined operation runs.
     [[nodiscard]] const Unit& callee(const Unit& of, ir::OperationId id) const { return unit(of.callees[id.index]); }
     [[nodiscard]] const EventUse& event(const Unit&, ir::EventId) const;
-    /// An event of a part; null if its machine does not use it.
+    /// The part's event at one end of a connection; null if its machine does not use the event.
     [[nodiscard]] const EventUse* event(const Peer&) const;
-    /// The machine's or shared variable for a unit's variable; null for variables of operations, whose owner is in
-    /// Unit::variable_owners.
+    /// The variable of the machine, or the shared variable, that a unit's variable denotes. Null for variables of
+    /// operations, whose owner is in Unit::variable_owners.
     [[nodiscard]] const StoredVariable* stored(const Unit&, ir::VariableId) const;
     [[nodiscard]] const PlatformCall& call(const Unit&, ir::OperationId) const;
     [[nodiscard]] const ModelledCall& modelled_call(ir::MachineId definition) const;
     [[nodiscard]] const CarrierUse& carrier(ir::TypeId) const;
-    /// The unit whose state contains a clock, and the clock's number there.
+    /// The unit whose frame contains a clock, and the clock's number there.
     [[nodiscard]] std::pair<const Unit*, ir::ClockId> clock(const Unit&, ir::ClockId) const;
 };
 
 /// Names that members of a state must not have: those of other members and of types, including the names that units
 /// already have.
 [[nodiscard]] std::set<std::string> never_members(const ir::System&, const Component&);
-/// A scope for the names of declarations in a core for its machines; they differ from the core's own names and from all
-/// members.
+/// A scope for the names of declarations that a core makes for its machines. They differ from the core's own names and
+/// from all members.
 [[nodiscard]] NameScope core_type_scope(const Component&);
 
 }  // namespace robochart::cpp_emit

@@ -18,7 +18,7 @@ bool is_part(const ConnectionEnd& end, std::size_t part, const std::string& even
     return end.kind == EndKind::part && end.part == part && end.event == event;
 }
 
-/// Connections are visited from both ends: all of them keep a direction, but an event may go either way.
+/// Visits every connection from both ends. All of them have a direction, but an event may go either way.
 template <class Visit>
 void each_end(const std::vector<ir::Connection>& connections, const Visit& visit) {
     for (std::size_t index = 0; index < connections.size(); ++index) {
@@ -128,7 +128,7 @@ private:
         use.ports.push_back(static_cast<std::size_t>(found - ports.begin()));
     }
 
-    /// The writer's end fills the buffer, the reader's empties it.
+    /// The end of the writer fills the buffer, the end of the reader empties it.
     void add_buffer(EventUse& use, const ConnectionEnd& here, std::size_t connection) {
         auto& buffers = component_.buffers;
         const auto same = [&](const Buffer& buffer) { return buffer.connection == connection; };

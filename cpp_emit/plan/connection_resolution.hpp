@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The destinations of events of a component's machines: its boundary, other machines, buffers (semantics 3.9).
+// Finds the destinations of the events of a component's machines: its boundary, other machines, buffers (semantics
+// 3.9).
 #pragma once
 
 #include <vector>
@@ -9,9 +10,9 @@
 
 namespace robochart::cpp_emit {
 
-/// Collects the events that the units use and follows their connections: fills Part::events, Component::events and
+/// Collects the events that the units use and follows their connections. Fills Part::events, Component::events and
 /// Component::buffers. `contexts` contains the controller of each part, null for a single machine. Rejects connections
-/// that cannot be translated to sensible code.
+/// that have no sensible translation.
 void wire(Component&, const ir::System&, const ir::Module*, const std::vector<const ir::Controller*>& contexts,
           diagnostics::Diagnostics&);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The component's boundary for the exploration interface and logs: registers read in a cycle, outputs made in it, with
-// their names in the CSP alphabet (semantics 3.2 "visible alphabet per level"). Private to this component.
+// The component's boundary for the exploration interface and logs: the registers and outputs of a cycle, with their
+// names in the CSP alphabet (semantics 3.2 "visible alphabet per level"). Private to this component.
 #pragma once
 
 #include <optional>
@@ -24,9 +24,9 @@ struct Output {
     std::vector<ir::TypeId> types;
 };
 
-/// Received events, then externally written variables.
+/// Lists received events, then externally written variables.
 [[nodiscard]] std::vector<Register> registers(const Component&);
-/// Called operations, then sent events, then written variables.
+/// Lists called operations, then sent events, then written variables.
 [[nodiscard]] std::vector<Output> outputs(const Component&);
 
 }  // namespace robochart::cpp_emit

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seeded faults of the generator: errors that a generator of robot code can make, with a name for each kind. They are
-// used to test the conformance checker (mutation analysis; docs/conformance.md, "Mutants").
+// Seeded faults of the generator: errors that a generator of robot code can make, each with a name. They test the
+// conformance checker (mutation analysis; docs/conformance.md, "Mutants").
 #pragma once
 
 #include <span>
 
 namespace robochart::cpp_emit {
 
-/// A kind of fault; `none` in production. all_faults() describes each.
+/// The kind of a fault; `none` in production. all_faults() describes each kind.
 enum class Fault {
     none,
     // which transitions are taken, and when
@@ -133,7 +133,7 @@ struct FaultKind {
 /// All kinds except `none`, in the order of the enumeration.
 [[nodiscard]] std::span<const FaultKind> all_faults();
 
-/// Whether the fault affects only the event API and not the cycle.
+/// Whether the fault affects only the event API, not the cycle.
 [[nodiscard]] constexpr bool in_event_api(Fault fault) {
     return fault >= Fault::dispatch_shifted && fault <= Fault::pass_timeless;
 }

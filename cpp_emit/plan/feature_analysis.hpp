@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides which shipped headers a component needs, and the values of which types its expressions enumerate.
+// Determines which shipped headers a component needs, and which types have values that its expressions enumerate.
 #pragma once
 
 #include "cpp_emit/plan/component.hpp"

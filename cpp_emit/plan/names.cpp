@@ -34,12 +34,12 @@ bool listed(std::span<const std::string_view> names, std::string_view name) {
     return std::ranges::binary_search(names, name);
 }
 
-/// The macros of the headers that are delivered with generated code.
+/// Whether the name is a macro of the headers that are delivered with generated code.
 bool of_runtime(std::string_view name) {
     return name.starts_with("ROBOCHART_") || name.starts_with("RC_");
 }
 
-/// An identifier that becomes unique when a suffix is appended.
+/// An identifier that becomes unique if a suffix is appended.
 std::string stem_of(std::string_view text) {
     const std::string name = identifier(text);
     return of_runtime(name) ? "model_" + name : name;
@@ -56,7 +56,7 @@ bool reserved_in_cpp(std::string_view name) {
 }
 
 bool reserved_below_global_scope(std::string_view name) {
-    // The namespace of the runtime, then names that the projects' own code declares and includes.
+    // the namespace of the runtime, then names that the projects' own code declares or includes
     static constexpr std::array outside = {"robochart", "rclcpp", "Body", "CVector2", "Eigen",
                                            "Enki",      "Eye",    "Puck", "argos",    "testing"};
     return reserved_in_cpp(name) || std::ranges::find(outside, name) != outside.end();
@@ -96,7 +96,7 @@ std::vector<std::string> parameter_identifiers(const std::vector<std::string>& n
     return result;
 }
 
-/// Underscores that an identifier must not contain are encoded after a digit, with which no name begins.
+/// After a digit, encodes underscores that an identifier must not contain; no name begins with a digit.
 std::string bound_identifier(std::string_view name) {
     if (identifier(name) == name) return "bound_" + std::string(name);
     std::string result = "bound_0";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names in generated C++: every name of the model becomes a legal identifier that is unique in its scope.
+// Names in generated C++. Every name of the model becomes a valid identifier that is unique in its scope.
 #pragma once
 
 #include <set>
@@ -9,12 +9,13 @@
 
 namespace robochart::cpp_emit {
 
-/// Whether no name of the model may have this form in generated code: keywords and alternative tokens of C++20, and
+/// Whether names of the model must not have this form in generated code: keywords and alternative tokens of C++20, and
 /// macros of the headers of C, C++ and POSIX (reserved.hpp).
 [[nodiscard]] bool reserved_in_cpp(std::string_view name);
-/// Whether a namespace with this name would hide names that generated code inside it uses.
+/// Whether a namespace with this name would hide names that the generated code inside it uses.
 [[nodiscard]] bool reserved_below_global_scope(std::string_view name);
-/// The same for namespaces at global scope: also the names that those headers declare there.
+/// Whether a namespace at global scope with this name would do so, or would clash with a name that those headers
+/// declare there.
 [[nodiscard]] bool reserved_at_global_scope(std::string_view name);
 
 /// Converts any text to an identifier: other characters become '_', doubled and leading underscores are removed.
@@ -22,10 +23,10 @@ namespace robochart::cpp_emit {
 
 /// Names for the parameters of one function.
 [[nodiscard]] std::vector<std::string> parameter_identifiers(const std::vector<std::string>& names);
-/// A variable that a quantifier, a lambda or a let of the model binds: "bound_x".
+/// The identifier of a variable that a quantifier, a lambda or a `let` of the model binds: "bound_x".
 [[nodiscard]] std::string bound_identifier(std::string_view name);
 
-/// The generated code's own names, which are reserved in the scopes of the model's types or members.
+/// The names that the generated code declares itself. They are reserved in the scopes of the model's types or members.
 [[nodiscard]] std::set<std::string> own_type_names();
 [[nodiscard]] std::set<std::string> own_member_names();
 
@@ -39,9 +40,9 @@ public:
     /// `taken`: names that the generated code itself uses in this scope.
     explicit NameScope(std::set<std::string> taken) : taken_(std::move(taken)) {}
 
-    /// `wanted`, converted to an identifier; with a number appended if it is in use.
+    /// Converts `wanted` to an identifier, and appends a number if it is in use.
     [[nodiscard]] std::string unique(std::string_view wanted);
-    /// `stem`_1, `stem`_2, ...: the first that is not in use.
+    /// The first of `stem`_1, `stem`_2, ... that is not in use.
     [[nodiscard]] std::string numbered(std::string_view stem);
     /// Reserves the name.
     void take(std::string name) { taken_.insert(std::move(name)); }

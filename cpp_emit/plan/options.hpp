@@ -22,7 +22,7 @@ struct OutputFile {
     bool keep = false;  ///< the user may edit it, so an existing file is not overwritten
 };
 
-/// What is emitted: the classes with everything that the conformance check needs, or a complete project that can be
+/// What is emitted: the classes and everything that the conformance check needs, or a complete project that can be
 /// built.
 enum class Target {
     sources,  ///< the classes, the exploration interface, a console driver
@@ -33,7 +33,7 @@ enum class Target {
     argos,    ///< a controller of ARGoS
 };
 
-/// How `dispatch` of a machine whose programs never wait finds the effect of an event.
+/// How `dispatch` finds the effect of an event, for a machine whose programs never wait.
 enum class Strategy {
     automatic,      ///< chosen by the number of states in which it rests
     nested_switch,  ///< switch over the state, then over the event
@@ -48,15 +48,15 @@ struct Options {
     std::uint32_t fault_site = 0;  ///< the place (transition, call, … in textual order) that contains the fault, among
                                    ///< those to which it applies
     std::uint32_t cycle_length = 1;  ///< number of time units between two control cycles
-    /// If the model leaves a choice between transitions or in a wait, the code asks its platform (`pick`). Otherwise it
-    /// takes the first one and contains no call.
+    /// If the model leaves a choice between transitions or in a wait: if true, the code asks its platform (`pick`); if
+    /// false, the code takes the first alternative and contains no call.
     bool choices = false;
-    /// The exploration interface is needed: a component with more values than its tables can hold is rejected (RC-G13).
-    /// If false, the interface is omitted in this case, with a note (RC-G15).
+    /// Whether the exploration interface is required. If true, a component with more values than the interface's tables
+    /// can hold is rejected (RC-G13). If false, the interface is omitted in this case, with a note (RC-G15).
     bool explored = true;
     /// Target::ros2: the messages for the component's boundary (cpp_emit/ros2/mapping.hpp); null: messages of std_msgs.
     const ros2::Mapping* mapping = nullptr;
-    /// For comments with file and line; null: comments contain only the names of the model's elements.
+    /// For comments with file and line. If null, comments contain only the names of the model's elements.
     const diagnostics::SourceManager* sources = nullptr;
 };
 
@@ -68,9 +68,9 @@ struct Options {
 /// A place of a machine in which it may miss an event that it uses, or take it late.
 struct EventPlace {
     std::string member;             ///< the member as the state is printed: "state", "stm0.state"
-    std::string place;              ///< as the place is printed: "enter_A_1"
+    std::string place;              ///< the place as it is printed: "enter_A_1"
     std::string element;            ///< description: "enters Busy::A (busy.rct:7)"
-    bool busy = false;              ///< an action is in progress; otherwise the machine rests
+    bool busy = false;              ///< whether an action is in progress; otherwise the machine rests
     std::vector<bool> events = {};  ///< for each event that the platform raises, in the order of Inputs: whether it is
                                     ///< concerned
     /// For each of these events, the level of the state with the innermost transition for it: 0 is the state in which

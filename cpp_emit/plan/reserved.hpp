@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names that identifiers from the model must not have in C++, as lists (cpp_emit/reserved); scripts/reserved_names.sh
-// generates the first two.
+// Lists of names that identifiers from the model must not have in C++ (cpp_emit/reserved). scripts/reserved_names.sh
+// generates the first two lists.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@ namespace robochart::cpp_emit {
 [[nodiscard]] std::span<const std::string_view> reserved_macros();
 /// Names that the headers of C and POSIX declare at global scope.
 [[nodiscard]] std::span<const std::string_view> reserved_globals();
-/// Names that the cores of generated code and the classes around them declare themselves.
+/// Names that generated cores, and the classes around them, declare themselves.
 [[nodiscard]] std::span<const std::string_view> reserved_own_types();
 [[nodiscard]] std::span<const std::string_view> reserved_own_members();
 

@@ -27,7 +27,7 @@ const Item* find_named(const std::vector<Item>& items, const std::string& name) 
     return found == items.end() ? nullptr : &*found;
 }
 
-/// The context of a part: empty for a single machine.
+/// The context of a part; empty for a single machine.
 struct Context {
     const ir::Module* module = nullptr;
     const ir::Controller* controller = nullptr;
@@ -142,7 +142,7 @@ private:
     Context context() const { return {module_, contexts_[part_]}; }
     const std::vector<const ir::Controller*>& contexts() const { return contexts_; }
 
-    /// The operation's definition in this context (semantics 3.8); single machines have none.
+    /// The operation's definition in this context (semantics 3.8); invalid for a single machine.
     ir::MachineId definition(const ir::OperationSignature& signature) const {
         const ir::Controller* const controller = context().controller;
         return controller == nullptr ? ir::MachineId{} : ir::definition_in(system_, *controller, signature);
@@ -176,8 +176,8 @@ private:
         return otherwise;
     }
 
-    /// Adds the operations that the machine calls, then the machine; returns its number. `open_` contains the calls in
-    /// progress.
+    /// Adds the operations that the machine calls, then the machine. Returns the machine's number. `open_` contains the
+    /// calls in progress.
     std::size_t add_unit(ir::MachineId id, bool root) {
         const ir::Machine& machine = system_.machine(id);
         if (std::ranges::any_of(open_, [&](const Unit& unit) { return unit.id == id; })) {
@@ -226,7 +226,7 @@ private:
         return number;
     }
 
-    /// Whether both are the same operation and required names denote the same elements.
+    /// Whether both units are the same operation, and their required names denote the same elements.
     static bool alike(const Unit& known, const Unit& unit) {
         const auto same = [&](const std::vector<Owner>& left, const std::vector<Owner>& right) {
             const auto own = [](const Unit& of, const Owner& owner) { return owner.unit == of.number; };
@@ -239,8 +239,8 @@ private:
                same(known.clock_owners, unit.clock_owners);
     }
 
-    /// An element that an operation requires is the caller's element with that name, and so on outwards (semantics
-    /// 3.8). Other elements are its own.
+    /// Finds the owners of the unit's elements. A required element is the caller's element with that name, which may in
+    /// turn be required from the next caller (semantics 3.8). Any other element belongs to the unit.
     void find_owners(Unit& unit) {
         const ir::Machine& machine = *unit.machine;
         const Unit* const caller = unit.root ? nullptr : &open_.back();
@@ -285,7 +285,7 @@ private:
         }
     }
 
-    /// A declared or required clock, not the one for a sinceEntry.
+    /// A declared or required clock with this name; clocks of sinceEntry are ignored.
     static const ir::Clock* find_clock(const ir::Machine& machine, const std::string& name) {
         const auto& clocks = machine.clocks;
         const auto found = std::ranges::find_if(
@@ -293,7 +293,8 @@ private:
         return found == clocks.end() ? nullptr : &*found;
     }
 
-    /// The rules STM8 and STM10 of the language report this first.
+    /// Reports an element that the operation's caller does not have. The rules STM8 and STM10 of the language report
+    /// this first.
     void missing(const ir::Machine& operation, const char* what, const std::string& name, const ir::Origin& origin) {
         diagnostics_.report(
             rules::unsupported_expr, origin.span,
@@ -366,8 +367,8 @@ private:
         variables.push_back(std::move(entry));
     }
 
-    /// The level that declares a shared variable decides who sees it (semantics 3.7). Returns the initial value, if
-    /// any, that this level passes to the machines at the start.
+    /// Finds the level that declares a shared variable, which decides who sees the variable (semantics 3.7). Returns
+    /// the initial value, if any, that this level passes to the machines at the start.
     ir::ExprPtr declaring_level(StoredVariable& entry) const {
         const std::string& name = entry.variable->name;
         if (context().controller == nullptr) {
@@ -375,7 +376,7 @@ private:
             return nullptr;
         }
         const ir::Variable* at_controller = find_named(context().controller->variables, name);
-        // The controller's memory does not propagate its initial value: copies start with the type's default.
+        // the controller's memory does not propagate its initial value, so copies start with the type's default
         if (at_controller != nullptr && at_controller->scope == ir::VariableScope::local) {
             entry.level = module_ == nullptr ? static_cast<const void*>(context().controller)
                                              : &module_->controllers[component_.parts[part_].controller];
@@ -396,7 +397,7 @@ private:
 
     void mark_read(const Unit& unit) {
         ir::visit_reads(*unit.machine, [&](ir::VariableId variable) { mark_read(unit, variable); });
-        // The guard of a watched deadline reads the variable's value, not the incoming one (semantics 3.10).
+        // the guard of a watched deadline reads the variable's value, not the incoming value (semantics 3.10)
         for (const ir::Transition& transition : unit.machine->transitions)
             if (transition.deadline && transition.trigger && transition.trigger->variable.valid())
                 visit(transition.guard, [&](const ir::Expr& expr) {
@@ -425,7 +426,7 @@ private:
             visit_expressions(*unit.machine, [&](const ir::Expr& expr) { add_function(unit.constants, expr); });
     }
 
-    /// Adds a called function, and those that its precondition calls if the precondition is tested.
+    /// Adds a called function. If its precondition is tested, adds the functions that the precondition calls, too.
     void add_function(const std::vector<ir::Value>& constants, const ir::Expr& expr) {
         if (expr.kind != ir::ExprKind::call && expr.kind != ir::ExprKind::function_value) return;
         auto& functions = component_.functions;
@@ -478,7 +479,7 @@ private:
         visit_asked(component_, system_, add_types);
     }
 
-    /// Types of parts come before the types that contain them. Recursive types are rejected later (unsupported.cpp).
+    /// Adds a type after the types of its parts. Recursive types are rejected later (unsupported.cpp).
     void add_type(ir::TypeId id) {
         auto& types = component_.enumerations;
         if (std::ranges::find(seen_types_, id) != seen_types_.end()) return;
@@ -525,7 +526,7 @@ private:
         mark_clocks_read();
     }
 
-    /// Reserves the members that the threads of a machine may have for its states (machine_code.cpp).
+    /// Reserves the members that the machine's threads may have for its states (machine_code.cpp).
     static void take_thread_members(const Unit& unit, std::set<std::string>& taken) {
         for (const ir::Node& node : unit.machine->nodes)
             for (const char* prefix : {"during_", "entering_", "history_", "wait_"})
@@ -548,7 +549,8 @@ private:
         }
     }
 
-    /// A machine with one thread that is the only writer of the variable does not wait for itself.
+    /// Finds the machines that may hold up writes of the variable. A machine with one thread that is the only writer of
+    /// the variable does not wait for itself.
     void find_holders(std::size_t index, NameScope& state, NameScope& writers) {
         StoredVariable& entry = component_.variables[index];
         if (!entry.shared || entry.memories == 0) return;
@@ -584,7 +586,7 @@ private:
         return found;
     }
 
-    /// Another machine's copy of a variable whose writes the environment propagates.
+    /// Names another machine's copy of a variable whose writes the environment propagates.
     void name_copy(StoredVariable& entry, NameScope& state, NameScope& writers) {
         const std::string& name = entry.variable->name;
         const auto first = std::ranges::find_if(component_.variables,

@@ -60,7 +60,7 @@ bool of_pairs(const ir::Type& type) {
 
 namespace {
 
-/// Types may be recursive; values of such a type have no bounded size.
+/// Types may be recursive. Values of a recursive type have no bounded size.
 constexpr std::size_t deepest_type = 16;
 
 bool supported_below(const ir::System& system, ir::TypeId id, std::size_t depth) {
@@ -122,7 +122,7 @@ std::vector<TypeMember> members(const ir::Type& type) {
 
 namespace {
 
-/// Whether the name resembles those of functions that the core has for elements of the model, which would hide the
+/// Whether the name is like those of the core's functions for elements of the model. Such a function would hide the
 /// type.
 bool method_like(const std::string& name) {
     static constexpr const char* prefixes[] = {"accept_", "any_",  "await_", "cut_",   "during_",
@@ -200,7 +200,7 @@ std::size_t entries(const ir::Type& type) {
     return result;
 }
 
-/// robochart::Pair: with padding at the end, or between its parts.
+/// The size of robochart::Pair, with padding between its parts and at its end.
 Extent pair_extent(const ir::System& system, const ir::Instantiation& inst, const ir::Type& type) {
     const Extent first = cpp_extent(system, inst, type.args.at(0));
     const Extent second = cpp_extent(system, inst, type.args.at(1));
@@ -378,7 +378,7 @@ std::string cspm_parts(const ir::System& system, const std::vector<ir::TypeId>& 
     return text;
 }
 
-/// Parts that are tuples themselves: pairs of a function, rows of a matrix.
+/// The text of the parts if they are tuples themselves: pairs of a function, rows of a matrix.
 std::string cspm_rows(const ir::System& system, const std::vector<ir::TypeId>& types, const ir::Value& value) {
     std::string text;
     for (const ir::Value& row : value.parts) {

@@ -10,7 +10,7 @@
 
 namespace robochart::cpp_emit {
 
-/// The form of types at a place: the name of the policy, the namespace of the core's types, the names of numbers.
+/// How types are written at a place: the name of the policy, the namespace of the core's types, the names of numbers.
 struct Spelling {
     std::string types = "Types";
     std::string core;  ///< "core::" outside the core; "" inside
@@ -27,7 +27,7 @@ struct TypeMember {
 struct Extent {
     std::size_t size = 1;
     std::size_t alignment = 1;
-    bool varies = false;  ///< `size` is that over the instantiation's carriers; with other parameters it may be another
+    bool varies = false;  ///< `size` is the size over the instantiation's carriers; it may differ for other parameters
 };
 
 /// Whether code for values of the type can be generated.
@@ -37,29 +37,31 @@ struct Extent {
 [[nodiscard]] bool declared(const ir::Type&);
 /// Whether it is a record, a product or an enumeration with arguments.
 [[nodiscard]] bool is_struct(const ir::Type&);
-/// Whether the exploration interface numbers the type's values: it is neither a number, nor a boolean, nor an
+/// Whether the exploration interface numbers the values of the type. True unless the type is a number, a boolean, or an
 /// enumeration without arguments.
 [[nodiscard]] bool composed(const ir::Type&);
-/// Whether it is a vector or matrix.
+/// Whether the type is a vector or matrix.
 [[nodiscard]] bool block(const ir::Type&);
-/// Whether it is a relation or function, whose values are sets of pairs.
+/// Whether the type is a relation or function, whose values are sets of pairs.
 [[nodiscard]] bool of_pairs(const ir::Type&);
 [[nodiscard]] std::vector<TypeMember> members(const ir::Type&);
 /// The C++ name of a declared type.
 [[nodiscard]] std::string declared_name(const ir::Type&);
-/// bool, Nat, Int, Real, the declared type's name, `robochart::Sequence<Nat, ...>`.
+/// The C++ name of a type: bool, Nat, Int, Real, the declared type's name, `robochart::Sequence<Nat, ...>`.
 [[nodiscard]] std::string cpp_type(const ir::System&, ir::TypeId, const Spelling& = {});
 /// `robochart::Pair<...>` for the pairs of a relation or function.
 [[nodiscard]] std::string cpp_pair(const ir::System&, const ir::Type&, const Spelling& = {});
 /// Maximal number of characters of a string.
 inline constexpr std::size_t longest_string = 31;
-/// The capacity of sets, relations and functions of the type: the number of values of their elements' type, as C++ text
-/// and over the instantiation's carriers, where counting stops at largest_set + 1 (capacity.cpp).
+/// The capacity of sets, relations and functions of the type: the number of values of their elements' type. The first
+/// function returns it as C++ text; the second counts over the instantiation's carriers and stops at largest_set + 1
+/// (capacity.cpp).
 [[nodiscard]] std::string capacity(const ir::System&, const ir::Type&, const Spelling&);
 [[nodiscard]] std::size_t capacity(const ir::System&, const ir::Instantiation&, const ir::Type&);
 /// Larger sets would lose elements.
 inline constexpr std::size_t largest_set = 1024;
-/// Size in bytes of a value in State over the instantiation's carriers, and its alignment: 8 for numbers, 1 for others.
+/// Size in bytes of a value in State over the instantiation's carriers, and its alignment (8 for numbers, 1 for
+/// others).
 [[nodiscard]] Extent cpp_extent(const ir::System&, const ir::Instantiation&, ir::TypeId);
 /// Capacity of a sequence or set over the instantiation's carriers: enough for every sequence, and every set of numbers
 /// or elements of a given type.

@@ -24,19 +24,19 @@ using ir::NodeKind;
 /// Maximal number of arguments in a record of the exploration interface (runtime/explore_abi.h).
 constexpr std::size_t max_arguments = 8;
 constexpr std::size_t max_output_values = 65536;
-/// Limit on numbers and literals in the listed values of one type; a compiler needs seconds for this many.
+/// Limit on the numbers and literals in all listed values of one type. A compiler needs seconds for this many.
 constexpr std::size_t max_listed = 8 * max_output_values;
 constexpr std::size_t max_bound_values = 1024;
 /// A larger decimal literal is not exact in binary floating point after multiplication by the scale.
 constexpr std::int64_t max_exact = std::int64_t{1} << 52;
 
-/// Operators of numbers, which are also defined for vectors.
+/// Whether the operator works on numbers; these operators are also defined for vectors.
 bool arithmetic(ExprKind kind) {
     return kind == ExprKind::plus || kind == ExprKind::minus || kind == ExprKind::times || kind == ExprKind::divide ||
            kind == ExprKind::modulus || kind == ExprKind::negate;
 }
 
-/// The operators of vectors and matrices.
+/// Whether the operator is defined for vectors and matrices.
 bool of_blocks(ExprKind kind) {
     return kind == ExprKind::plus || kind == ExprKind::minus || kind == ExprKind::times || kind == ExprKind::negate;
 }
@@ -116,7 +116,7 @@ private:
         check_type(function.result, function.name, {});
     }
 
-    /// Preconditions that code tests; testing one must not require testing itself.
+    /// Checks the preconditions that code tests. Testing a precondition must not require testing the same precondition.
     void check_preconditions() {
         for (const FunctionHook& hook : component_.functions) {
             if (!hook.guarded) continue;
@@ -202,7 +202,7 @@ std::size_t leaves(const ir::Value& value) {
     return count;
 }
 
-/// For a type whose number of values is within the limit.
+/// Whether the values of a type contain too many numbers to be listed. Their number must be within its own limit.
 bool lists_too_much(const ir::System& system, const ir::Instantiation& inst, ir::TypeId type) {
     if (!composed(system.type(type))) return false;
     std::size_t count = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walks over the IR in addition to those of semantics/ir/visit.hpp.
+// Visitors for the IR, in addition to those of semantics/ir/visit.hpp.
 #pragma once
 
 #include <functional>
@@ -18,14 +18,14 @@ using ir::StmtVisitor;
 void visit(const ir::ExprPtr&, const ExprVisitor&);
 /// Visits the statement and its parts.
 void visit(const ir::StmtPtr&, const StmtVisitor&);
-/// Visits all expressions whose value running code uses, with their operands: ir::visit_running.
+/// Visits all expressions with values that running code uses, with their operands: ir::visit_running.
 void visit_expressions(const ir::Machine&, const ExprVisitor&);
 /// Visits the expressions in preconditions that running code tests.
 void visit_asked(const Component&, const ir::System&, const ExprVisitor&);
 /// Visits the triggers of the transitions, then the communications of the statements.
 void visit_communications(const ir::Machine&, const std::function<void(const ir::Communication&, bool trigger)>&);
 
-/// The clock for sinceEntry(node); invalid if there is none.
+/// The clock that sinceEntry(node) reads; invalid if there is none.
 [[nodiscard]] ir::ClockId entry_clock(const ir::Machine&, ir::NodeId);
 
 }  // namespace robochart::cpp_emit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Code that fills the fields of a message. Private to this component.
+// Writes code that fills the fields of a message. Private to this component.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace robochart::cpp_emit::ros2 {
 
-/// Writes code that fills the fields of the message `message` that cannot fail. Returns the condition that fills the
-/// other fields and is true if all values fit; "" if there are none. `now` is the time of the cycle.
+/// Writes code that fills those fields of `message` that cannot fail. Returns a condition that fills the other fields
+/// and is true if all values fit; "" if there are none. `now` is the time of the cycle.
 [[nodiscard]] std::string fill_message(CodeWriter&, const Outgoing&, const std::string& message,
                                        const std::string& now);
 

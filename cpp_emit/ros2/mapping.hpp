@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mapping as it is written: which messages carry the operations, events and shared variables of one component, and on
-// which topics (docs/ros2.md). node_plan.hpp compares it with the component.
+// A mapping as the user writes it: which messages carry the operations, events and shared variables of one component,
+// and on which topics (docs/ros2.md). node_plan.hpp compares the mapping with the component.
 #pragma once
 
 #include <cstdint>
@@ -58,7 +58,7 @@ struct Assignment {
     Source source;
 };
 
-/// How messages are delivered; options that are not given have the default of their kind.
+/// How messages are delivered. Options that are not given have the default of their kind.
 struct Delivery {
     std::optional<bool> reliable;
     std::optional<bool> latched;  ///< transient_local: late subscribers get the last messages

@@ -100,7 +100,8 @@ const FieldRow* row_of(std::string_view message) {
     return row == std::end(rows) ? nullptr : row;
 }
 
-/// Removes and returns the text before the separator, and removes the separator; the whole text if there is none.
+/// Returns the text before the separator, and removes it together with the separator. Returns the whole text if there
+/// is no separator.
 std::string_view take_until(std::string_view& text, std::string_view separator) {
     const std::size_t at = text.find(separator);
     const std::string_view head = text.substr(0, at);

@@ -32,10 +32,10 @@ struct FieldType {
 [[nodiscard]] bool known(const MessageName&);
 /// The messages of this package in the table.
 [[nodiscard]] std::vector<std::string> known_messages(std::string_view package);
-/// Names of the fields of a message in the table; "geometry_msgs/Vector3".
+/// The names of the fields of a message in the table; `message` is like "geometry_msgs/Vector3".
 [[nodiscard]] std::vector<std::string> fields_of(std::string_view message);
 
-/// The target of a path of fields; after a message that is not in the table, everything is unknown.
+/// The field at the end of a path. After a message that is not in the table, everything is unknown.
 struct FoundField {
     FieldType type;
     std::size_t missing = 0;  ///< index of the first word that names no field; the path's length if all do
@@ -43,9 +43,9 @@ struct FoundField {
 };
 [[nodiscard]] FoundField find_field(const MessageName&, const Path&);
 
-/// Description for messages: "whole numbers (uint8)".
+/// Describes a field type for messages to the user: "whole numbers (uint8)".
 [[nodiscard]] std::string described(const FieldType&);
-/// Whether a whole number is a value of the type: "300" is not a uint8.
+/// Whether a whole number is a value of the type. For example, "300" is no uint8.
 [[nodiscard]] bool holds(const FieldType&, const std::string& whole);
 
 }  // namespace robochart::cpp_emit::ros2

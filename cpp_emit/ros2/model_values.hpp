@@ -21,13 +21,13 @@ struct ModelValue {
 [[nodiscard]] std::optional<ScalarKind> scalar_kind(const ir::Type&);
 /// The message of std_msgs that carries a scalar: "Float64".
 [[nodiscard]] std::string message_of(ScalarKind);
-/// "a number (real)", "an enumeration (Light)".
+/// Describes a type for messages to the user: "a number (real)", "an enumeration (Light)".
 [[nodiscard]] std::string described(const ir::Type&);
-/// Collects all scalars in a value: the value itself, or those of a record's fields. Returns false if a part is
-/// neither.
+/// Collects all scalars in a value: the value itself, or the values of a record's fields. Returns false if a part is
+/// neither a scalar nor a record.
 bool scalars_of(const ir::System&, const ModelValue&, std::vector<Scalar>&);
 
-/// The target of a path in the values.
+/// The scalar at the end of a path in the values.
 struct FoundScalar {
     std::optional<Scalar> scalar;    ///< no value: the path names no scalar
     std::size_t missing = 0;         ///< index of the first word that names nothing; the path's length if all do
@@ -36,7 +36,8 @@ struct FoundScalar {
 };
 [[nodiscard]] FoundScalar find_scalar(const ir::System&, const std::vector<ModelValue>&, const Path&);
 
-/// Whether the field can hold all values of the scalar (published), or the scalar those of the field (received).
+/// Whether every value fits: of the scalar into the field if it is published, of the field into the scalar if it is
+/// received.
 [[nodiscard]] bool fits(const FieldType&, ScalarKind, bool published);
 
 }  // namespace robochart::cpp_emit::ros2

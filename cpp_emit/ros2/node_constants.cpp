@@ -39,7 +39,8 @@ std::string name_in(const Surroundings& around, const Unit& unit, const Part& pa
     return controller.definition_names[static_cast<std::size_t>(found - controller.definitions.begin())];
 }
 
-/// "SPEED" for "P::M::SPEED"; the whole path, with dots, if other constants have the same ending.
+/// The name of the parameter: "SPEED" for "P::M::SPEED"; the whole path, with dots, if other constants have the same
+/// ending.
 std::string parameter_of(const std::string& path, const std::map<std::string, int>& ends) {
     const std::string last = path.substr(path.rfind(':') + 1);
     if (ends.at(last) == 1) return "constants." + last;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The text of a ROS 2 node: the class that stores messages until the end of a cycle, and the lifecycle node that uses
-// it.
+// Writes a ROS 2 node: the class that stores messages until the end of a cycle, and the lifecycle node that uses it.
 #pragma once
 
 #include <string>
@@ -11,7 +10,7 @@
 
 namespace robochart::cpp_emit::ros2 {
 
-/// A constant to which the model gives no value. The generated code contains a value, and the node rejects any other.
+/// A constant without a value in the model. The generated code contains a value, and the node rejects any other value.
 struct NodeConstant {
     std::string parameter;  ///< name of the ROS parameter: "constants.SPEED"
     std::string path;       ///< path in the model: "M::C::S::SPEED"
@@ -26,7 +25,7 @@ struct NodeConstant {
 /// The lines of the parameter file that list these constants.
 [[nodiscard]] std::string constant_lines(const Generation&, const Core&);
 
-/// "::geometry_msgs::msg::Twist".
+/// The C++ type of a message: "::geometry_msgs::msg::Twist".
 [[nodiscard]] std::string message_type(const MessageName&);
 
 }  // namespace robochart::cpp_emit::ros2

@@ -30,7 +30,7 @@ struct Element {
     const ApiEvent* event = nullptr;
     const ApiVariable* variable = nullptr;
     Span span;
-    const Item* item = nullptr;  ///< its item in the mapping
+    const Item* item = nullptr;  ///< the element's item in the mapping
 };
 
 std::string suggestion(const std::string& name, const std::vector<std::string>& known) {
@@ -68,7 +68,7 @@ bool is_modelled(const ClassApi& api, const std::string& name) {
     return found;
 }
 
-/// Whether one field contains the other or both are the same.
+/// Whether the fields overlap: one contains the other, or both are the same.
 bool overlap(const std::string& a, const std::string& b) {
     return a == b || a.starts_with(b + ".") || b.starts_with(a + ".");
 }
@@ -154,7 +154,7 @@ private:
         return name.starts_with('/') ? name : "/" + name;
     }
 
-    /// Why the two cannot share a topic; "" if they can.
+    /// The reason why two elements cannot share a topic; "" if they can share it.
     static std::string conflict(const Topic& first, const Topic& second) {
         if (first.published != second.published) return "one is published and the other received";
         if (!(first.message == second.message))
@@ -177,7 +177,7 @@ private:
         return plan_.topics.size() - 1;
     }
 
-    /// "~/out/move"; names that differ only in underscores get a number.
+    /// The default topic, such as "~/out/move". If names differ only in underscores, they get a number.
     std::string default_topic(const char* kind, const std::string& name) {
         const std::string stem = fmt::format("~/{}/{}", kind, topic_part(name));
         std::string topic = stem;
@@ -188,7 +188,7 @@ private:
     static QualityOfService quality_of(const Element& element, const MessageName& message, const Delivery& said) {
         QualityOfService quality;
         if (element.published && element.kind == ElementKind::variable) quality = latched();
-        // Drivers of sensors publish with best effort, and a reliable subscription would not receive their messages.
+        // drivers of sensors publish with best effort, and a reliable subscription would not receive their messages
         if (!element.published && message.package == "sensor_msgs") quality = {false, false, 5};
         quality.reliable = said.reliable.value_or(quality.reliable);
         quality.latched = said.latched.value_or(quality.latched);
@@ -348,7 +348,8 @@ private:
         plan_.incoming.push_back(std::move(in));
     }
 
-    /// An event without a value is raised by every message, independently of the message's fields.
+    /// Warns of fields without effect. Every message raises an event without a value, independently of the message's
+    /// fields.
     void warn_unread(const Element& element) {
         const MessageName& message = element.item->message;
         const std::vector<std::string> fields = fields_of(message.text());

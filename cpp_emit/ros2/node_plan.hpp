@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The messages that the node of a component publishes and receives: the mapping bound to the class, and topics of
-// std_msgs for elements that the mapping omits.
+// Plans the messages that the node of a component publishes and receives: binds the mapping to the class, and adds
+// topics of std_msgs for elements that the mapping omits.
 #pragma once
 
 #include <cstdint>
@@ -21,14 +21,15 @@ struct QualityOfService {
     friend bool operator==(const QualityOfService&, const QualityOfService&) = default;
 };
 
-/// A publisher or subscription. Elements with the same topic share it, so that the order of its messages is kept.
+/// A publisher or subscription. All elements with the same topic share it, so that the order of its messages is
+/// preserved.
 struct Topic {
     std::string name;
     MessageName message;
     QualityOfService quality;
     bool published = false;
     std::string member;  ///< member of the node and of the class that stores messages
-    std::string user;    ///< the first element on it, for messages of the generator
+    std::string user;    ///< the first element on the topic, for messages to the user
 };
 
 /// The conversion between a scalar of the model and a field.
@@ -39,7 +40,7 @@ struct Scalar {
     ScalarKind kind = ScalarKind::real;
     ir::TypeId type;
     std::string place;    ///< C++ expression relative to the value's root
-    std::string reading;  ///< for messages of the generator: "speed", "value.x"
+    std::string reading;  ///< for messages to the user: "speed", "value.x"
 };
 
 /// A field that is filled with a scalar or a literal.
@@ -95,7 +96,8 @@ struct NodePlan {
     [[nodiscard]] bool stamped() const;  ///< Whether some field contains the time of the cycle.
 };
 
-/// Binds Options::mapping, if there is one. Reports items that do not fit, and elements without a message.
+/// Makes the plan. Binds Options::mapping, if there is one. Reports items that do not fit, and elements without a
+/// message.
 [[nodiscard]] NodePlan plan_node(const Generation&, const ClassApi&, diagnostics::Diagnostics&);
 
 }  // namespace robochart::cpp_emit::ros2

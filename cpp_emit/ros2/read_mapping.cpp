@@ -66,7 +66,7 @@ private:
                    {item.element.text, "thing that is received", "the controller calls its operations itself"});
     }
 
-    /// `geometry_msgs/Twist`, or in full `geometry_msgs/msg/Twist`.
+    /// Parses `geometry_msgs/Twist`, or in full `geometry_msgs/msg/Twist`.
     MessageName message() {
         const Word package = name("the package of a message");
         expect("/");
@@ -77,7 +77,7 @@ private:
         return {package.text, type.text, diagnostics::join(package.span, type.span)};
     }
 
-    /// `best_effort transient_local depth 5`, each once.
+    /// Parses `best_effort transient_local depth 5`; each option may occur once.
     void delivery(Delivery& delivery) {
         bool some = false;
         for (bool more = true; more && !failed(); some = some || more) {
@@ -132,7 +132,7 @@ private:
         return path;
     }
 
-    /// Names of fields are written to generated code.
+    /// Checks names of fields, because they are written to generated code.
     void check_fields(const Path& path) {
         for (const Word& word : path.words) valid("field", word, wrong_field(word.text));
     }

@@ -8,8 +8,8 @@
 
 namespace robochart::cpp_emit::ros2 {
 
-/// Parses a mapping and checks everything that does not need the model: every name in it is a valid ROS name. Reports
-/// errors as diagnostics.
+/// Parses a mapping and performs all checks that do not need the model, for example that every name is a valid ROS
+/// name. Reports errors as diagnostics.
 [[nodiscard]] Mapping read_mapping(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&);
 
 }  // namespace robochart::cpp_emit::ros2

@@ -21,7 +21,8 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// A letter first, then letters, digits and single underscores, none at the end (REP 149, rosidl).
+/// Rejects names other than a letter followed by letters, digits and single underscores, with no underscore at the end
+/// (REP 149, rosidl).
 std::string wrong_small_name(std::string_view name) {
     if (name.empty() || !is_small(name.front())) return "it begins with a small letter";
     for (const char c : name)
@@ -31,7 +32,7 @@ std::string wrong_small_name(std::string_view name) {
     return "";
 }
 
-/// Whether it is a topic of ROS itself, which a node must not publish on.
+/// Whether the topic belongs to ROS itself, so that a node must not publish on it.
 bool of_ros(std::string_view topic) {
     static constexpr std::array names = {"rosout", "parameter_events", "clock", "~/transition_event"};
     if (topic.starts_with('/')) topic.remove_prefix(1);
@@ -92,7 +93,8 @@ std::string topic_part(std::string_view name) {
 }
 
 std::string header_of_message(std::string_view type) {
-    // Splits before a capital letter that a small one follows, and between a small letter or digit and a capital one.
+    // splits before a capital letter followed by a small letter, and between a small letter or digit and a capital
+    // letter
     std::string result;
     for (std::size_t i = 0; i < type.size(); ++i) {
         const bool word = is_large(type[i]) && i > 0 && i + 1 < type.size() && is_small(type[i + 1]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names of packages, messages, fields and topics that ROS 2 accepts, and the file names that it derives from them.
+// Names of packages, messages, fields and topics that ROS 2 accepts, and the file names that ROS 2 derives from them.
 #pragma once
 
 #include <set>
@@ -8,18 +8,18 @@
 
 namespace robochart::cpp_emit::ros2 {
 
-/// Why the text is not a valid name of its kind; "" if it is one.
+/// The reason why the text is not a valid name of its kind; "" if it is valid.
 [[nodiscard]] std::string wrong_package(std::string_view name);
 [[nodiscard]] std::string wrong_message(std::string_view name);
 [[nodiscard]] std::string wrong_field(std::string_view name);
-/// `cmd_vel`, `/robot/cmd_vel`, `~/state`; without substitutions.
+/// Topics such as `cmd_vel`, `/robot/cmd_vel`, `~/state`, without substitutions.
 [[nodiscard]] std::string wrong_topic(std::string_view name);
 
-/// A name of the model as one part of a topic: without doubled or trailing underscores.
+/// A name of the model as one part of a topic, without doubled or trailing underscores.
 [[nodiscard]] std::string topic_part(std::string_view name);
-/// "battery_state" of BatteryState, as in <sensor_msgs/msg/battery_state.hpp>.
+/// The name of a message's header: "battery_state" for BatteryState, as in <sensor_msgs/msg/battery_state.hpp>.
 [[nodiscard]] std::string header_of_message(std::string_view type);
-/// A component's name as the name of a ROS package (REP 144), different from those in `others`.
+/// The name of a ROS package for a component (REP 144), different from those in `others`.
 [[nodiscard]] std::string package_name(std::string_view component, const std::set<std::string>& others);
 
 }  // namespace robochart::cpp_emit::ros2

@@ -51,7 +51,7 @@ void Channels::add_hops(const std::vector<ir::Connection>& connections, const En
         const End first = place(each.from);
         const End second = place(each.to);
         const bool forwards = direction == Direction::out;
-        // A connection with [mult] connects both directions.
+        // a connection with [mult] connects both directions
         if ((forwards || each.multiple) && first == from) result.push_back({second, each.async});
         if ((!forwards || each.multiple) && second == from) result.push_back({first, each.async});
     }
@@ -185,7 +185,7 @@ void Channels::emit_platform() {
     prism::Module module;
     module.name.text = context_.unique(context_.module.name + "_" + context_.module.platform.name);
     for (const auto& channel : channels_) {
-        // An event that only one of two machines performs cannot happen, because its label needs both.
+        // an event of two machines cannot happen if only one of them performs it, because its label needs both
         if (channel->kind == Channel::Kind::joint && channel->sent != channel->received)
             module.commands.push_back(tree::command(channel->out_label(), tree::truth(false), {}));
         if (channel->kind != Channel::Kind::platform) continue;

@@ -23,13 +23,13 @@ struct Seat {
 
 enum class Direction { out, in };  ///< as the machine sees it
 
-/// The connection of a machine's event to another machine or to the platform.
+/// Connects an event of a machine with another machine or with the platform.
 struct Channel {
     enum class Kind { platform, buffer, joint };
     Kind kind = Kind::platform;
     std::string name;                     ///< "odsTick_18"
-    std::optional<Carrier> carrier;       ///< of the value it carries
-    bool sent = false, received = false;  ///< by machines, in commands that were made
+    std::optional<Carrier> carrier;       ///< the range of the value that the channel carries, if any
+    bool sent = false, received = false;  ///< whether machines send or receive, in commands that were made
 
     /// The labels of the two ends.
     [[nodiscard]] std::string out_label() const;
@@ -43,14 +43,14 @@ class Channels {
 public:
     explicit Channels(Context& context) : context_(context) {}
 
-    /// The channel of a machine's event in one direction. Null, with a finding, if it cannot be encoded.
+    /// The channel of a machine's event in one direction. Null, with a finding, if the event cannot be encoded.
     [[nodiscard]] Channel* find(Seat seat, const ir::Event& event, Direction direction, diagnostics::Span span);
 
     /// R12, R13: the modules of buffers and of the platform, for all channels that were used.
     void emit_modules();
 
 private:
-    /// An event of a controller's component, of a controller, or of the platform.
+    /// An event at one end of a connection: of a machine, of a controller, or of the platform.
     struct End {
         enum class Level { machine, controller, platform } level = Level::machine;
         Seat seat;

@@ -92,7 +92,7 @@ private:
         chart_.steps.push_back(std::move(step));
     }
 
-    /// R7: "Chains through a junction after a trigger are composed." Junctions that become unreachable are removed.
+    /// R7: "Chains through a junction after a trigger are composed." Removes the junctions that become unreachable.
     void compose_chains() {
         std::vector<Step> done;
         for (Step& step : chart_.steps)

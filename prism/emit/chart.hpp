@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The normal form of a state machine that RoboTool makes before the encoding (R7, R11).
+// The normal form that RoboTool gives a state machine before the encoding (R7, R11).
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ struct Place {
     std::optional<std::size_t> parent, initial;
     std::vector<ir::StmtPtr> entry;
     bool composite = false;
-    bool dropped = false;  ///< unreachable now
+    bool dropped = false;  ///< whether it has become unreachable
 };
 
 /// A transition of the model, or an added one.
@@ -32,7 +32,7 @@ struct Step {
     diagnostics::Span span;
 };
 
-/// The places begin with the nodes of the machine, by id.
+/// The nodes and transitions of the normal form. The first places are the nodes of the machine, by id.
 struct Chart {
     std::vector<Place> places;
     std::vector<Step> steps;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Data that all parts of one emission share: the module, the model under construction, its names.
+// The data that all parts of one emission share: the module, the model under construction, and its names.
 #pragma once
 
 #include <cstdint>
@@ -28,28 +28,28 @@ public:
 
     const ir::System& system;
     const ir::Module& module;
-    const Functions& functions;  ///< of assertions
+    const Functions& functions;  ///< functions that assertions define
     diagnostics::Diagnostics& diagnostics;
     Emission emission;
 
-    /// A name made from this one that is neither reserved nor used yet.
+    /// A name that begins with `wanted` and is neither reserved nor in use.
     [[nodiscard]] std::string unique(const std::string& wanted);
     /// Records the PRISM name of a variable of the model.
     void note(const ir::Variable& variable, const std::string& element, const std::string& name);
     /// Records the PRISM name of an element.
     void note(const std::string& kind, const std::string& element, const std::string& name);
-    /// "tick_16", "Action_20": the numbers increase over the whole model.
+    /// A numbered name, such as "tick_16" or "Action_20". The numbers increase over the whole model.
     [[nodiscard]] std::string numbered(const std::string& stem) { return unique(stem + "_" + std::to_string(next_++)); }
-    /// Numbers for elements that the normal form adds.
+    /// A numbered name for an element that the normal form adds.
     [[nodiscard]] std::string added(const std::string& stem) { return stem + "_" + std::to_string(next_added_++); }
 
-    /// R3: the range of a type. No value, with a finding about `element`, if it is not encoded.
+    /// R3: the range of a type. No value, with a finding about `element`, if the type has no encoding.
     [[nodiscard]] std::optional<Carrier> carrier(ir::TypeId type, const std::string& element,
                                                  const diagnostics::Span& span);
     /// The declaration of a variable with this range.
     [[nodiscard]] static prism::Variable variable(const std::string& name, const Carrier& carrier,
                                                   prism::ExprPtr initial);
-    /// The name of a literal. R1: enumerations are constants, `SHuman_inRed`.
+    /// The PRISM name of a literal. R1: enumerations are constants, `SHuman_inRed`.
     [[nodiscard]] const std::string& literal(ir::TypeId type, std::int64_t index);
 
 private:

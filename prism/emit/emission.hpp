@@ -23,7 +23,7 @@ struct NameOf {
 /// Bounds of a type of numbers.
 struct Range {
     std::int64_t low = 0, high = 0;
-    bool asked = false;  ///< given by the user, so it is not widened
+    bool asked = false;  ///< whether the user has given the range, which is then not widened
     friend bool operator==(const Range&, const Range&) = default;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // RoboTool's encoding of a module in PRISM (translate2prism), rule by rule. docs/prism-encoding.md contains the rules
-// R1 to R16; the sources quote the statement of each. In a dtmc every step takes part in a uniform choice, so the
-// number and kind of steps affect all results; they are the same here. Names and order may differ.
+// R1 to R16, and the sources quote each rule where they implement it. In a dtmc every step takes part in a uniform
+// choice, so the number and kind of steps affect all results. They are the same as RoboTool's; names and order may
+// differ.
 #pragma once
 
 #include <optional>
@@ -15,18 +16,18 @@
 
 namespace robochart::prism_emit {
 
-/// The ranges of a finite instantiation.
+/// The ranges of numbers in a finite instantiation.
 [[nodiscard]] Preferences preferences(const ir::Instantiation&);
 
-/// The module in PRISM. Constants without a value stay open. No value, with findings, if the encoding does not support
-/// some construct. `functions` have priority over the model's definitions.
+/// Encodes the module in PRISM. Constants without a value stay open. Returns no value, with findings, if the encoding
+/// does not support some construct. `functions` take precedence over the model's definitions.
 [[nodiscard]] std::optional<Emission> emit(const ir::System&, const ir::Module&, const Preferences&,
                                            diagnostics::Diagnostics&, const Functions& functions = {});
 
 /// The text of the file: the model with updates restricted to their ranges (ranges.hpp), then the names as comments
 /// (R1).
 [[nodiscard]] std::string text(const Emission&);
-/// True for the text of such a file, or of a file written by RoboTool.
+/// Whether the text is such a file, or a file written by RoboTool.
 [[nodiscard]] bool is_of_robochart(std::string_view text);
 
 }  // namespace robochart::prism_emit

@@ -92,7 +92,7 @@ public:
             case ExprKind::modulus:
                 return tree::call("mod", operands(expr));
             case ExprKind::divide:
-                return tree::apply(Op::divide, operands(expr));  // on reals in both languages
+                return tree::apply(Op::divide, operands(expr));  // division is on reals in both languages
             case ExprKind::cast:
                 return cast(expr);
             case ExprKind::call:
@@ -124,8 +124,8 @@ private:
         return tree::name(context_.literal(expr.type, expr.number));
     }
 
-    /// PRISM has one type of numbers. Whole numbers need no rounding, and others are rejected when they are assigned to
-    /// a variable.
+    /// PRISM has one type of numbers. Whole numbers need no rounding. Other numbers are rejected when they are assigned
+    /// to a variable.
     ExprPtr cast(const ir::Expr& expr) {
         const bool rounds = context_.system.type(expr.type).kind != ir::TypeKind::real &&
                             context_.system.type(expr.args.front()->type).kind == ir::TypeKind::real;
@@ -166,7 +166,7 @@ private:
 
     Context& context_;
     const Scope& scope_;
-    unsigned depth_ = 0;  ///< of calls inside functions
+    unsigned depth_ = 0;  ///< depth of calls inside functions
 };
 
 /// R15: "each clock atom becomes true". RoboTool's treatment of clocks under a negation is unknown, so it is rejected.

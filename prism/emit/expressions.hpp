@@ -19,11 +19,11 @@ struct Scope {
     std::map<std::string, prism::ExprPtr> bound;  ///< parameters of a function
 };
 
-/// The expression. If there are findings, the result is some expression.
+/// Translates the expression. If there are findings, the result has no meaning.
 [[nodiscard]] prism::ExprPtr expression(Context&, const Scope&, const ir::Expr&);
-/// A condition. R15: each comparison with a clock is `true`.
+/// Translates a condition. R15: each comparison with a clock is `true`.
 [[nodiscard]] prism::ExprPtr condition(Context&, const Scope&, const ir::Expr&);
-/// The value of a variable: a whole number, also for type real.
+/// Translates the value of a variable, which is a whole number even for type real.
 [[nodiscard]] prism::ExprPtr whole_value(Context&, const Scope&, const ir::Expr&);
 
 }  // namespace robochart::prism_emit

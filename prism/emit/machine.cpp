@@ -27,7 +27,7 @@ std::string joined(std::string path) {
     return path;
 }
 
-/// Consecutive assignments; only the last one to a variable is kept.
+/// Two groups of assignments, one after the other; for each variable only the last assignment is kept.
 std::vector<prism::Assignment> both(std::vector<prism::Assignment> first,
                                     const std::vector<prism::Assignment>& second) {
     for (const prism::Assignment& each : second) {
@@ -148,7 +148,7 @@ std::string MachineEmitter::constant(Part& part, ir::ConstantId id) {
     return name;
 }
 
-/// The name of the reference to the machine or operation.
+/// The name of the controller's reference to the machine or operation.
 std::string MachineEmitter::name_in_controller(const Part& part) const {
     for (std::size_t i = 0; i < controller_.definitions.size(); ++i)
         if (&context_.system.machine(controller_.definitions[i]) == part.machine)

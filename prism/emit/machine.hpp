@@ -15,7 +15,7 @@
 
 namespace robochart::prism_emit {
 
-/// The top of a machine or a composite state, which has a current place.
+/// The top level of a machine, or a composite state. A region has a current place.
 struct Region {
     std::optional<std::size_t> owner;  ///< the composite state
     std::string stem;                  ///< prefix of its names: "modUVC_ctrlUVC_stm_ref0"
@@ -24,13 +24,13 @@ struct Region {
     unsigned points = 0;  ///< numbered from 1; 0 is `inactive`
 };
 
-/// A machine, or an operation that it calls, which has a lock.
+/// A machine, or an operation that it calls. A part has a lock.
 struct Part {
     const ir::Machine* machine = nullptr;
     std::string stem;     ///< prefix of its names
     std::string element;  ///< its name in the model, as "modUVC::ctrlUVC::stm_ref0"
     Chart chart;
-    std::vector<Region> regions;                                  ///< the top first
+    std::vector<Region> regions;                                  ///< with the top level first
     std::map<std::optional<std::size_t>, std::size_t> region_of;  ///< by owner
     std::vector<std::string> points, entering;                    ///< program points of places; "" if there is none
     std::vector<std::string> variables;                           ///< names of the machine's variables
@@ -41,12 +41,12 @@ struct Part {
 
 class MachineEmitter {
 public:
-    /// `globals`: names of the platform's variables. `constants`: names of all constants found so far, by the source of
-    /// their values.
+    /// `globals` contains the names of the platform's variables. `constants` contains the names of all constants found
+    /// so far, by the source of their values.
     MachineEmitter(Context& context, Channels& channels, const std::map<std::string, std::string>& globals,
                    std::map<std::string, std::string>& constants, Seat seat);
 
-    /// Adds the module.
+    /// Adds the module to the model.
     void operator()();
 
 private:

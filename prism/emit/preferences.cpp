@@ -36,7 +36,7 @@ bool read_kind(std::string_view text, prism::ModelKind& kind) {
     return true;
 }
 
-/// True for settings of RoboTool that do not affect the model: those about logs and about the order of modules, and
+/// Whether a setting of RoboTool does not affect the model: settings about logs and about the order of modules, and
 /// empty ones.
 bool means_nothing(std::string_view key, std::string_view value) {
     static constexpr std::string_view others[] = {"DBG_OPTION", "ERROR_LOG_FILE", "OUTPUT_LOG_FILE", "STM_GEN_ORDER"};

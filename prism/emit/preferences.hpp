@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboTool's preferences of the translation to PRISM, rc2prism.prefs: lines KEY=VALUE, comments with #.
+// Reads RoboTool's preferences of the translation to PRISM, rc2prism.prefs: lines KEY=VALUE, comments with #.
 #pragma once
 
 #include <string>

@@ -54,8 +54,8 @@ private:
         if (low && high) ranges_[variable.name.text] = {low->low, high->high};
     }
 
-    /// The condition that every possible branch writes values within the ranges of its variables; `true` if this is
-    /// always so.
+    /// The condition that every possible branch writes values within the ranges of its variables; `true` if that always
+    /// holds.
     ExprPtr stays_inside(const prism::Command& command) const {
         std::vector<ExprPtr> all;
         for (const prism::Branch& branch : command.branches) {
