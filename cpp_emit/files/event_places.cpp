@@ -97,7 +97,7 @@ private:
             }
     }
 
-    /// Follows a transition through junctions to its targets, and adds the conditions of the junctions' transitions.
+    /// Follows a transition through junctions, and adds the events that the junctions and the targets await.
     void lead(const Part& part, const ir::Machine& machine, ir::NodeId target, Awaited& awaited) const {
         std::vector<ir::NodeId> open;
         if (target.valid()) open.push_back(target);

@@ -18,7 +18,7 @@
 
 namespace robochart::conformance::test {
 
-/// A folder below the system's temporary folder, with a model in it; the destructor removes it.
+/// A folder with a model below the system's temporary folder. The destructor removes it.
 class TemporaryFolder {
 public:
     explicit TemporaryFolder(const std::string& model = "");
@@ -63,11 +63,11 @@ public:
     /// Checks schedulability for the interface of the generated code.
     [[nodiscard]] Result schedulability();
     [[nodiscard]] std::uint32_t sites(cpp_emit::Fault fault);
-    /// Generates code that asks its platform at each choice of the model; the checks explore every answer.
+    /// Makes the generated code ask its platform at each choice of the model. The checks then explore every answer.
     void explore_choices() { choices_ = true; }
     [[nodiscard]] const csp_emit::Emission& script() const { return script_; }
     [[nodiscard]] cspm::ExprPtr process() const { return component_process(script_.definitions, component_); }
-    /// The alphabet of the generated code, over the events of the session.
+    /// The interface of the generated code, with events of the session.
     [[nodiscard]] Interface interface();
     [[nodiscard]] cspm::Session& session() { return *session_; }
     [[nodiscard]] lts::TransitionSystem& system() { return *system_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Common parts of the conformance tests: models written as graphs, and controllers written by hand.
+// Code that the conformance tests share: models written as graphs, and controllers written by hand.
 #pragma once
 
 #include <memory>

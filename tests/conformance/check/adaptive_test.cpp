@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Adaptive tests for models that leave a choice (cpp_emit/runtime/adaptive.hpp). They follow the behaviour of the
-// implementation. They must fail with a forbidden continuation if the exhaustive check finds a difference, and pass if
-// it finds none.
+// Adaptive tests for models that leave a choice (cpp_emit/runtime/adaptive.hpp). The tests adapt to the behaviour of
+// the implementation. They must fail with a forbidden continuation if the exhaustive check finds a difference, and pass
+// if it finds none.
 #include "cpp_emit/runtime/adaptive.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ using cpp_emit::Fault;
 using ::testing::HasSubstr;
 using Verdict = AdaptiveVerdict::Kind;
 
-/// Generated code behind the textual API of an implementation.
+/// Gives generated code the textual API of an implementation.
 class Generated {
 public:
     Generated(const rc_interface& code, const ChoiceAutomaton& machine, const AllowedCycles& graph,
@@ -119,7 +119,7 @@ TEST(AdaptiveTests, KillTheMutantsOfAggregation) {
 
 // ------------------------------------------------------------ verdicts, by hand
 
-/// One state and no inputs: every cycle outputs a or b.
+/// The model has one state and no inputs: every cycle outputs a or b.
 AllowedCycles a_or_b(std::size_t extra) {
     AllowedCycles graph;
     std::istringstream text(

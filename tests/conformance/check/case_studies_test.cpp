@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two case studies through the whole check, and variants of them that are not schedulable.
+// Runs the whole check on the two case studies, and on variants of them that are not schedulable.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(CaseStudies, NestedConforms) {
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
 }
 
-// In machines alone, the environment may write shared variables.
+// If a machine is checked alone, the environment may write its shared variables.
 TEST(CaseStudies, NestedMachineConforms) {
     test::Model model("tests/conformance/models/nested");
     const Result result = conform_component(model, model.machine("Nested"));
@@ -110,7 +110,7 @@ TEST(CaseStudies, AggregationWithoutWaitsSetsASpeedTwice) {
     EXPECT_THAT(result.register_cycles->cycles[0].outputs, ElementsAre("angularSpeed = -0.75", "linearSpeed = -10.88"));
 }
 
-// In the machine alone, the called operations are platform calls that take no time.
+// If the machine is checked alone, the operations that it calls are platform calls, which take no time.
 TEST(CaseStudies, AggregationMachineAloneCallsAnOperationTwice) {
     test::Model model("corpus/aggregation");
     const Result result = conform_component(model, model.machine("AggregationFSM"));
@@ -119,7 +119,7 @@ TEST(CaseStudies, AggregationMachineAloneCallsAnOperationTwice) {
                 ElementsAre("MoveClockwise(-0.75, -10.88)", "RotateClockwise(-5.02)"));
 }
 
-// With {detected, turned} in one cycle, Forward is entered and left and entered: two moves.
+// With {detected, turned} in one cycle, Forward is entered, left and entered again, which makes two moves.
 TEST(CaseStudies, SwarmTaxisWithoutWaitsMovesTwice) {
     const Result result =
         conform_module(test::changed_copy("corpus/swarm_taxis/swarm_taxis.rct", "; wait(1)", "").path());

@@ -20,11 +20,11 @@ TEST(Choices, TheFirstIsOneOfAll) {
     bench.explore_choices();
     const Result all = bench.check();
     EXPECT_EQ(all.outcome, Outcome::conforms) << all.reason;
-    EXPECT_EQ(all.code_states, 4U);  // and Right, by t2 and j1
+    EXPECT_EQ(all.code_states, 4U);  // also the state Right, by t2 and j1
 }
 
-/// A wrong target of t0 or t4 shows by default. A wrong target of t2, j1 or t5 shows only if the second alternative is
-/// explored. With a wrong target, t1 and j2 lead to the target of their alternative, which the model allows.
+/// A wrong target of t0 or t4 is found by default. A wrong target of t2, j1 or t5 is found only if the second
+/// alternative is explored. A wrong target of t1 or j2 is the target of the other alternative, which the model allows.
 TEST(Choices, FaultsBehindOtherChoicesAreFound) {
     test::Model model(either);
     test::Bench bench(model, model.machine("M"));
@@ -62,7 +62,7 @@ stm S {
     EXPECT_GT(all.code_states, first.code_states);
 }
 
-/// Inner and outer transitions, both enabled; several machines.
+/// Covers inner and outer transitions that are both enabled, and several machines.
 TEST(Choices, CompositesAndTeams) {
     for (const char* folder :
          {"tests/conformance/models/nested", "tests/conformance/models/team", "corpus/aggregation"}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests of the checker: correct controllers must conform. Each faulty one must differ, at the cycle and with the inputs
-// and the expected event that follow from the model by hand.
+// Tests of the checker. Correct controllers must conform. Each faulty controller must differ; the cycle, the inputs and
+// the expected event follow from the model by hand.
 #include "conformance/check/conformance_check.hpp"
 
 #include <gmock/gmock.h>
@@ -110,7 +110,8 @@ TEST(Judge, MemoryOutsideTheState) {
     EXPECT_THAT(result.reason, HasSubstr("two results"));
 }
 
-// The state contains a counter without meaning: the code is correct, but its states are not canonical.
+// The state contains a counter that does not affect the behaviour: the code is correct, but its states are not
+// canonical.
 TEST(Judge, StateNotCanonical) {
     const Result result = judge_turner(9);
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;
@@ -169,8 +170,8 @@ TEST(Judge, WithWaitsEachOutputIsMadeOnceACycle) {
     EXPECT_TRUE(result.deadlines->holds);
 }
 
-// Infinitely many outputs in one cycle: this is no τ loop, because outputs are visible, but no control cycle exists
-// either.
+// The model makes infinitely many outputs in one cycle. This is no τ loop, because outputs are visible, but no control
+// cycle exists either.
 TEST(Judge, OutputsWithoutEndAreNotSchedulable) {
     const Result result = judge_turner(0, {{0, "T::DriveCall.2", 0}, {0, "tock", 0}});
     ASSERT_EQ(result.outcome, Outcome::not_schedulable);
@@ -197,7 +198,7 @@ TEST(Judge, DeadlinesOnInputsAreReportedByTheCode) {
     EXPECT_EQ(wrong.expected, "end of cycle");
 }
 
-// R7: a model that stops time by itself.
+// R7: this model stops time without any input.
 TEST(Judge, TimelockOfTheModelIsNotSchedulable) {
     const Result result =
         judge_turner(0, {{0, "T::DriveCall.2", 1}, {1, "tock", 2}, {2, "tock", 2}, {2, "T::seeRobot.in", 3}});
@@ -207,7 +208,7 @@ TEST(Judge, TimelockOfTheModelIsNotSchedulable) {
     EXPECT_THAT(result.cycles[1].state, HasSubstr("s3"));
 }
 
-// R7: another machine can still take an input, but time stops after it all the same.
+// R7: another machine can still take an input, but time stops after the input, too.
 TEST(Judge, ATimelockBesideAnInputIsNotSchedulable) {
     const Result result =
         judge_turner(13, {{0, "T::DriveCall.2", 1}, {1, "tock", 2}, {2, "T::seeRobot.in", 3}, {3, "T::seeWall.in", 2}});

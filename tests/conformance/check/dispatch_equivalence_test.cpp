@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The comparison of the event API with the cycle API in all states and with all events, and the report of a difference.
+// Compares the event API with the cycle API in all states and with all events, and tests the report of a difference.
 // The expected states follow from tests/conformance/models/reacts by hand.
 #include <gtest/gtest.h>
 
@@ -97,9 +97,9 @@ stm Twice {
     EXPECT_EQ(result.dispatched, 2U * 3);  // the initial state, A, B; `go` or no event
 }
 
-/// If the code asks its platform at choices, both APIs must ask the same questions and behave equally for every answer.
-/// An API that takes the first alternative, even by its table, differs from code that asks. In Reacts, `a` triggers a
-/// transition of A and one of an enclosing state.
+/// If the code asks its platform at choices, both APIs must ask the same questions and give the same results for every
+/// answer. An API that takes the first alternative, even by its table, differs from code that asks. In Reacts, `a`
+/// triggers a transition of A and one of an enclosing state.
 TEST(EventApi, AsksWhatTheCycleAsks) {
     for (const auto& [folder, machine, event] :
          {std::tuple("tests/conformance/models/either", "M", "go"), std::tuple(reacts, "Reacts", "a")}) {

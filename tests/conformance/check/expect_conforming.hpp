@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The expectation that most tests of `conform` have in common.
+// An expectation that most tests of `conform` share.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models and file names with text that has a meaning in the generated languages. The text must not be executed, the
-// generated code must compile, and the verdict must be that of the same model with harmless text.
+// Tests models and file names that contain text with a meaning in the generated languages. The text must not be
+// executed, the generated code must compile, and the verdict must be that of the same model with harmless text.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -32,7 +32,7 @@ std::string written(const std::string& text) {
     return result + '"';
 }
 
-/// Strings as values of events, variables, constants, conditions, predicates and assignments.
+/// A machine with strings as values of events, variables, constants, conditions, predicates and assignments.
 std::string machine(const std::string& text) {
     const std::string literal = written(text);
     return "stm S { event e : string event f : string event g var s : string var b : boolean const c : string = " +
@@ -46,7 +46,7 @@ Outcome outcome_of(const test::TemporaryFolder& folder) {
     return test::expect_conforming(model, model.machine("S")).outcome;
 }
 
-/// A let whose value refers to an outer variable with the same name as the bound variable.
+/// The value of this `let` refers to an outer variable with the same name as the bound variable.
 TEST(HiddenNames, OfLetsMeanTheOuterOneInTheValue) {
     const test::TemporaryFolder folder(
         "stm S { event e : nat event f : boolean var v : nat = 1\n initial i state A { }\n"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests of the checkers: pairs that are known to be bad must be reported as bad after any earlier checks, and pairs
-// that are known to be good must stay good. All controllers are loaded at once: if they shared symbols (g++'s default
-// for inline variables), every comparison would report equality.
+// Tests the checkers with pairs of a model and a controller. A faulty controller must be reported after any earlier
+// checks, and a correct one must stay correct. All controllers are loaded at once: if they shared symbols (g++'s
+// default for inline variables), every comparison would report equality.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -55,7 +55,7 @@ TEST(KnownBad, PairsAreReportedBadInAnyOrder) {
     }
 }
 
-/// A model that allows less: a controller that was correct becomes faulty.
+/// This model allows less, so a controller that was correct becomes faulty.
 TEST(KnownBad, ASmallerModelFindsTheRightControllerWrong) {
     Loaded loaded;
     auto edges = test::turner_model();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A limit may turn an answer into "inconclusive", but never into another answer, for all numbers of walks and threads
-// and all amounts of memory.
+// A limit may turn an answer into "inconclusive", but never into another answer. The tests vary the numbers of walks
+// and threads and the amount of memory.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -134,7 +134,7 @@ controller Both {
     EXPECT_EQ(result.outcome, Outcome::not_schedulable) << result.reason;
 }
 
-/// Infinitely many visible outputs.
+/// The model makes infinitely many visible outputs.
 TEST(Limits, OfAModelThatSendsWithoutEnd) {
     const Result result = unlimited_and_limited(R"(
 stm Sends {
@@ -173,7 +173,7 @@ stm Counts {
     EXPECT_FALSE(result.register_cycles->holds);
 }
 
-/// Inputs in actions with a deadline: the code conforms up to a missed deadline.
+/// Actions with a deadline wait for inputs. The code conforms up to a missed deadline.
 TEST(Limits, OfDeadlinesOnInputs) {
     const Result result = unlimited_and_limited(R"(
 stm Asks {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Events that are raised without effect: which events, for how many consecutive cycles, and where the machine is during
-// these cycles.
+// Finds events that are raised without effect: which events, for how many consecutive cycles, and the state of the
+// machine during these cycles.
 #include "conformance/check/missed_events.hpp"
 
 #include <gmock/gmock.h>
@@ -82,7 +82,7 @@ TEST(MissedEvents, WithoutBoundWhereActionsFollowEachOther) {
     EXPECT_EQ(missed[0].cycles, std::nullopt);
 }
 
-// A condition that never becomes true, in a state that f leaves.
+// A state that f leaves has a transition whose condition never becomes true.
 TEST(MissedEvents, WhereNoConditionHolds) {
     const auto missed = missed_in(R"(
         var n : nat

@@ -16,7 +16,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-/// Brakes three time units after `go`.
+/// A machine that brakes three time units after `go`.
 const std::string late_brake = R"(interface Brakes { Brake() }
 stm M { requires Brakes event go initial i state Idle { } state B { entry wait(3) ; Brake() }
 transition t0 { from i to Idle } transition t1 { from Idle to B trigger go } })";
@@ -66,7 +66,7 @@ TEST(ModelRun, GoesAsFarAsTheCodeDoes) {
     EXPECT_THAT(offered(*walked.explanation.run), ElementsAre("call Brake"));
 }
 
-// The code brakes twice: its second call is not part of the model's run.
+// The code brakes twice. Its second call is not part of the model's run.
 TEST(ModelRun, EndsInFrontOfWhatTheModelDoesNotAllow) {
     const Result result = with_fault(late_brake, cpp_emit::Fault::output_repeated);
     ASSERT_EQ(result.outcome, Outcome::differs);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operations that call operations. A variable that an operation requires is the one with that name in its caller's
-// scope (semantics 3.8): the caller's own variable or clock, the machine's, or one that the caller itself requires.
+// Operations that call operations. If an operation requires a variable, it uses the variable with that name in its
+// caller's scope (semantics 3.8): the caller's own variable or clock, the machine's, or one that the caller itself
+// requires.
 #include <gtest/gtest.h>
 
 #include "conformance/check/conform.hpp"
@@ -146,8 +147,8 @@ TEST(NestedOperations, TheirVariablesInPreconditionsGuardsWaitsAndDeadlines) {
                       shows + " connection K on go to S on go }\n");
 }
 
-/// Two machines run the same operations, and one of them also calls the inner operation directly: each has its own
-/// state.
+/// Two machines run the same operations, and one of them also calls the inner operation directly. Each machine has its
+/// own state.
 TEST(NestedOperations, InSeveralMachines) {
     expect_conforming(interfaces +
                       "operation inner() { requires Level requires Pace event o : nat initial i final f state W { }\n"

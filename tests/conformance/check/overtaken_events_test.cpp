@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Events of outer states that are processed second in a cycle: after an event of an inner state or after a timeout, and
-// in which state.
+// Finds events of outer states that are processed second in a cycle, after an event of an inner state or after a
+// timeout, and the states in which this happens.
 #include "conformance/check/overtaken_events.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search over partial readings has the same result as the search over all valuations, and scales to models for
-// which the latter is infeasible.
+// Compares the search over partial readings with the search over all valuations. Both have the same result, and the
+// former scales to models for which the latter is infeasible.
 #include "conformance/check/partial_readings.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ public:
     Both(const std::string& folder, const std::string& machine)
         : model_(folder), bench_(model_, machine.empty() ? model_.module() : model_.machine(machine)) {}
 
-    /// Empty if the code does not compile.
+    /// The results of both searches; no value if the code does not compile.
     std::optional<std::pair<Result, Result>> judge(cpp_emit::Fault fault, std::uint32_t site) {
         const auto object = bench_.compiled(fault, site);
         if (!object) return std::nullopt;
@@ -64,9 +64,9 @@ TEST(PartialReadings, AgreeWithAllValuations) {
     EXPECT_GT(different, 12U);
 }
 
-/// Each state takes one of sixteen events. There are 65,536 valuations, and in each of its states NF could hold as many
-/// contents of registers. However, a cycle without the state's event changes nothing, and a cycle with it reads at most
-/// the next event.
+/// Each state takes one of sixteen events. There are 65,536 valuations, and each state of NF could store as many
+/// contents of registers. However, a cycle without the state's event changes nothing, and a cycle with the event reads
+/// at most the next event.
 TEST(PartialReadings, ReachWhatAllValuationsCannot) {
     std::string text = "stm Ring {\n initial i transition t { from i to S0 }\n event x : nat\n";
     constexpr int states = 16;

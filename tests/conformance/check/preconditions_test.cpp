@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Preconditions of functions (semantics 3.5): for every position of an expression, the code checks the precondition as
-// the model does, and waits if the model waits. Each row conforms although the precondition is false in some of its
+// Preconditions of functions (semantics 3.5). For every position of an expression, the code checks the precondition as
+// the model does, and waits if the model waits. Each row conforms, although the precondition is false in some of its
 // runs. Code that does not check the precondition (Fault::function_precondition_dropped) does not conform.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -73,7 +73,7 @@ std::ostream& operator<<(std::ostream& out, const Called& each) {
     return out << each.text;
 }
 
-/// Functions of the number x that return x if x > 0; otherwise x is outside their precondition.
+/// Functions of the number x that return x if x > 0. Otherwise x is outside their precondition.
 const Called functions[] = {{"OfTheModel", "some(x)"}, {"OfAToolkit", "head(if x > 0 then <x> else <> end)"}};
 
 /// Shapes of expressions that contain a call.

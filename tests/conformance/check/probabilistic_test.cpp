@@ -30,7 +30,7 @@ stm S {
 }
 )";
 
-/// Probabilities in all the forms that models use: quotients, constants, the remainder to one.
+/// Probabilities in all forms that models use: quotients, constants, the remainder to one.
 TEST(Probabilistic, ChancesAreExpressions) {
     const std::string model_text(text);
     const std::pair<const char*, const char*> chances[] = {
@@ -54,9 +54,9 @@ TEST(Probabilistic, EveryWayIsExplored) {
     const Result right = bench.check();
     EXPECT_EQ(right.outcome, Outcome::conforms) << right.reason;
     EXPECT_GE(right.code_states, 3U);  // Waiting, Left and Right
-    // Every transition with a wrong target is detected, also the less probable one of the junction. The exception is
-    // `go`: with a wrong target it may lead directly to a state after the junction, which is one of the allowed
-    // alternatives.
+    // The check detects every transition with a wrong target, also the less probable alternative of the junction. The
+    // exception is `go`: with a wrong target it may lead directly to a state after the junction, which is an allowed
+    // alternative.
     std::size_t found = 0;
     for (std::uint32_t site = 0; site < bench.sites(cpp_emit::Fault::wrong_target); ++site)
         found += bench.check(cpp_emit::Fault::wrong_target, site).outcome == Outcome::differs ? 1U : 0U;

@@ -10,7 +10,7 @@
 namespace robochart::conformance {
 namespace {
 
-/// Checks that the first module conforms or, if there is none, the machine S.
+/// Checks that the first module conforms or, if the model has no module, the machine S.
 void expect_conformance_of(const std::string& text) {
     const test::TemporaryFolder folder(text);
     test::Model model(folder.path());
@@ -184,7 +184,7 @@ std::string machine_alone(const std::string& shared, const std::string& body) {
         shared, "controller C { requires V event e : boolean sref m = S connection C on e to m on e }\n", body);
 }
 
-/// The platform receives the whole variable, so the other parts are needed too.
+/// The platform receives the whole variable, so the other parts are used too.
 TEST(Regressions, APartOfAVariableThatNothingReadsIsWritten) {
     expect_conformance_of(machine_alone(
         "var t : nat * boolean var s : Spot var q : Seq(boolean) = <true, true> var v : vector(boolean, 2)\n"
@@ -224,7 +224,7 @@ TEST(Regressions, DurationsReadVariables) {
     }
 }
 
-/// Conditionals, implications and sums in every position in which C++ text is composed of them.
+/// Conditionals, implications and sums in every position at which the generator composes C++ text.
 TEST(Regressions, WhatBindsWeaklyKeepsTogether) {
     expect_conformance_of(
         "record R { a : nat f : boolean }\n"
@@ -266,7 +266,7 @@ TEST(Regressions, WhatBindsWeaklyKeepsTogether) {
         "transition t4 { from B to A action c = b; n = 1; q = <1> } }\n");
 }
 
-/// Expressions that contain commas outside parentheses.
+/// Expressions with commas outside parentheses.
 TEST(Regressions, PreconditionsHoldAnyExpression) {
     expect_conformance_of(
         "interface Ops { op(n : nat) }\n"
@@ -286,7 +286,7 @@ TEST(Regressions, LiteralsOfNestedPackages) {
         "transition t1 { from A to A trigger e?x action out!x } }\n");
 }
 
-/// A nested namespace hides a namespace outside.
+/// A nested namespace hides an outer namespace with the same name.
 TEST(Regressions, APackageInsideAnotherIsCalledLikeTheRuntime) {
     expect_conformance_of("package a::robochart\n" + machine("clock T", "state A { entry wait(1) ; move(x) }"));
 }

@@ -38,7 +38,7 @@ stm Reader {
 module M { rref p = P cref c = C connection c on seen to p on seen ( _async ) }
 )";
 
-/// Drives generated code.
+/// Runs generated code, cycle by cycle.
 class Driven {
 public:
     explicit Driven(const rc_interface& code) : code_(code), state_(code.state_size), registers_(code.inputs) {
@@ -120,7 +120,7 @@ struct HeldUp {
 
 /// Writes are not propagated to a machine while one of its threads waits to call the platform (semantics 3.7). Each
 /// memory in between stores one write, so the third of three consecutive writes has to wait for the call. Code that
-/// makes all three first differs.
+/// makes all three writes first differs.
 const HeldUp held_up[] = {
     {"a during action begins with the call", R"(stm A { requires D requires O initial i
         state S { initial j state T { during move() } transition tj { from j to T }

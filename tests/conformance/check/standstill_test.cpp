@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models that cannot run in control cycles: for each cause, the rule, the elements of the model that are involved, and
-// the suggested fix.
+// Tests models that cannot run in control cycles. For each cause, the report contains the rule, the elements of the
+// model that are involved, and a suggested fix.
 #include "conformance/check/standstill.hpp"
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ Result run_in_cycles(const std::string& text, std::uint32_t cycle_length = 1) {
     return run_in_cycles(text, options);
 }
 
-/// "t2: B -> B (/tmp/.../model.rct:7)"
+/// Matches the place of an element: "t2: B -> B (/tmp/.../model.rct:7)".
 auto element(const std::string& text, int line) {
     return testing::AllOf(testing::StartsWith(text + " ("), testing::EndsWith(fmt::format("/model.rct:{})", line)));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The code of every component of the available models is generated, compiles and conforms, except for the components in
-// the table below. These are not schedulable, not generated, or not yet decided, for the reason stated. A row that is
-// no longer true fails the test.
+// The code of every component of the available models is generated, compiles and conforms. The table below lists the
+// exceptions: components that are not schedulable, not generated, or not yet decided, with the reason. A row that is no
+// longer true fails the test.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ constexpr Exception exceptions[] = {
     {"hvc/ctrl1", Outcome::not_schedulable, "neither go on"},
 };
 
-/// Models that are rejected or have no semantics.
+/// Models that are rejected or that have no semantics.
 const std::set<std::string> not_lowered = {"example9_empty_stm.rct"};
 
 std::string shared_folder() {
@@ -94,7 +94,7 @@ protected:
         };
         const auto all = [](const auto&) { return true; };
         each(system.modules, ir::ComponentKind::module, all);
-        // Components nested in others are checked as part of these.
+        // components nested in others are checked as part of these
         each(system.controllers, ir::ComponentKind::controller, [](const auto& c) { return c.path == c.name; });
         each(system.machines, ir::ComponentKind::machine, [](const ir::Machine& machine) {
             return machine.kind == ir::MachineKind::state_machine && machine.path == machine.name;

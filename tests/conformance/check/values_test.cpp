@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every kind of expression over composite values, in generated code as in the model: quantifiers, comprehensions,
-// lambdas, functions and relations as values, the toolkit libraries, ranges, strings, vectors and matrices.
+// Tests every kind of expression over composite values, in generated code and in the model: quantifiers,
+// comprehensions, lambdas, functions and relations as values, the toolkit libraries, ranges, strings, vectors and
+// matrices.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operations on compiled code other than judging it: comparison with other code, a watchdog for code that does not
-// return, and the report of code that does not compile.
+// Tests of compiled code other than its check: comparison with other code, a watchdog for code that does not return,
+// and the report of code that does not compile.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ TEST(CodeEquality, TellsFaultsFromTheOriginalAndNothingFromItself) {
     }
 }
 
-/// RoboTool's second generation of code: `while (tryTransitions())` over a loop that waits for an input in the model.
+/// RoboTool's second generation of code, `while (tryTransitions())`, over a loop that waits for an input in the model.
 TEST(Watchdog, ALoopThatNeverEndsIsFoundAndNotWaitedFor) {
     test::Model model("tests/conformance/models/blink");
     test::Bench bench(model, model.machine("Blink"));

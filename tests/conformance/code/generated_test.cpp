@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generated code against models written by hand from the semantics: an oracle that does not come from csp_emit.
+// Checks generated code against models written by hand from the semantics: an oracle that does not come from csp_emit.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of events in the code's interface and in the script.
+// Tests the names of events in the code's interface and in the script.
 #include "conformance/code/interface.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiling and loading of code, and the messages for errors.
+// Tests compiling and loading of code, and the messages for errors.
 #include "conformance/code/shared_object.hpp"
 
 #include <gmock/gmock.h>

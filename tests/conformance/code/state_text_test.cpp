@@ -23,8 +23,8 @@ constexpr const char* matrix_model =
     "initial i state A { } transition t0 { from i to A }\n"
     "transition t1 { from A to A trigger e?m action m[1, 2] = false; m[2, 1] = m[1, 1]; out!m } }\n";
 
-/// Variables of every composite type in one machine. The report must show the values that `go` assigns. Other variables
-/// have the initial values of semantics 3.6, where truth values are true and numbers are 0.
+/// The machine has variables of every composite type. The report must show the values that `go` assigns. Other
+/// variables have the initial values of semantics 3.6: truth values are true, and numbers are 0.
 constexpr const char* every_type =
     "enumeration Mode { slow fast } enumeration Colour { Red Put(boolean) }\n"
     "datatype Pose { far : real lit : boolean modes : Seq(Mode) }\n"
@@ -73,7 +73,7 @@ TEST(StateText, ValuesWithPartsAreWordsOfLogs) {
     expect_the_words_of_every_type(state_after(object->interface(), 2));
 }
 
-/// A report of code that omits the output `done`: its last state is the one after the other actions.
+/// The reported code omits the output `done`, so its last state is the one after the other actions.
 TEST(StateText, ReportsTellThem) {
     const test::TemporaryFolder folder(every_type);
     test::Model model(folder.path());
@@ -84,7 +84,7 @@ TEST(StateText, ReportsTellThem) {
     expect_the_words_of_every_type(result.cycles.back().state);
 }
 
-/// Several candidates in one translation unit, each with its own trace header.
+/// A translation unit with several candidates, each with its own trace header.
 TEST(StateText, BatchesTellThemToo) {
     std::vector<std::unique_ptr<test::Model>> models;
     std::vector<std::unique_ptr<Candidate>> candidates;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts about one component that are derived from the IR and the script.
+// Tests the data about one component that are derived from the IR and the script.
 #include "conformance/model/component.hpp"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// Variables that operations write and that are never read.
+// The operations write these variables, and no expression reads them.
 TEST(Component, UnreadVariablesOfAggregation) {
     test::Model model("corpus/aggregation");
     EXPECT_THAT(unread_variables(model.system, model.machine("AggregationFSM")),
@@ -25,7 +25,8 @@ TEST(Component, UnreadVariablesOfAggregation) {
     EXPECT_THAT(unread_variables(model.system, model.module()), IsEmpty());
 }
 
-// `illuminated` is read by an operation that the controller defines. In the machine alone, this operation is unknown.
+// An operation that the controller defines reads `illuminated`. If the machine is checked alone, this operation is
+// unknown.
 TEST(Component, UnreadVariablesDependOnTheContext) {
     test::Model model("corpus/swarm_taxis");
     EXPECT_THAT(unread_variables(model.system, model.machine("SwarmTaxisFSM")),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The notation of values in logs: reading inverts printing for every value of every type, and different values are
-// printed differently.
+// Tests the notation of values in logs. Reading inverts printing for every value of every type, and different values
+// are printed differently.
 #include <gtest/gtest.h>
 
 #include <set>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The normal form in its two representations, as CSPM text and as NormalFormSystem. They are equivalent in
+// Compares the two representations of the normal form: CSPM text and NormalFormSystem. They are equivalent in
 // failures-divergences on random models. Reading registers in one fixed order loses no behaviour (docs/conformance.md,
 // "One order of reading").
 #include "conformance/model/normal_form.hpp"
@@ -67,7 +67,7 @@ cspm::Script read_script(const std::string& text) {
     return script;
 }
 
-/// The two normal forms of one model in one session.
+/// The two normal forms of one model, in one session.
 struct Both {
     Both(const std::string& source, std::uint32_t cycle_length, Reading reading, const char* process)
         : Both(with_normal_form(source, cycle_length, reading), cycle_length, process) {}
@@ -159,7 +159,7 @@ TEST(NormalForm, RepeatedOutputsAreThoseOfTheTraces) {
     EXPECT_LT(repeating, 90U);
 }
 
-// Models without termination, because ORDER does not terminate.
+// These models do not terminate, because ORDER does not terminate.
 TEST(NormalForm, OneOrderOfReadingLosesNothing) {
     for (unsigned seed = 1000; seed < 1100; ++seed) {
         const std::string model = random_model(seed, false);

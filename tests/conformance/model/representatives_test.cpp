@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Representative values (docs/conformance.md): the types for which a few values represent all, the values that are
-// chosen, and that faults found with all values are found with the representatives.
+// Tests representative values (docs/conformance.md): the types for which a few values represent all, and the choice of
+// the values. Faults found with all values are also found with the representatives.
 #include "conformance/model/representatives.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 using cpp_emit::Fault;
 
-/// Passes records on.
+/// A machine that passes records on.
 constexpr const char* forward = R"(
 datatype Scan { a : real b : real c : real d : real e : real f : real }
 enumeration Kind { near far }
@@ -37,7 +37,7 @@ stm Forward {
 }
 )";
 
-/// Extracts records from other records and stores them in others; it tests the remaining fields.
+/// A machine that extracts records from other records and stores them in others. It tests the remaining fields.
 constexpr const char* unpack = R"(
 datatype Scan { a : real b : real c : real d : real e : real f : real }
 enumeration Kind { near far }
@@ -133,7 +133,7 @@ TEST(Representatives, HaveTheValuesFromTheStart) {
     EXPECT_EQ(few.types[0].values, 4U);
 }
 
-/// Numbers too are represented, if a literal makes their carrier large.
+/// Numbers are represented, too, if a literal makes their carrier large.
 TEST(Representatives, OfNumbers) {
     const std::string text =
         "stm S { event given1 : real event answer : real var v : real initial i state A { } transition t0 { from i to "

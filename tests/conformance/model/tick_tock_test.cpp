@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Refinement in tick-tock: hand-written pairs on which failures-divergences and tick-tock differ; random pairs compared
-// with model shifting (Mestel, Roscoe: refusals as events of lower priority, decided as traces); and normal forms, for
-// which the two relations agree (docs/conformance.md, "Tick-tock").
+// Refinement in tick-tock. Hand-written pairs show differences between failures-divergences and tick-tock. Random pairs
+// are compared with model shifting (Mestel, Roscoe: refusals as events of lower priority, decided as traces). For
+// normal forms the two relations agree (docs/conformance.md, "Tick-tock").
 #include "conformance/model/tick_tock.hpp"
 
 #include <fmt/format.h>
@@ -33,19 +33,19 @@ Answers ask(const std::vector<Edge>& specification, const std::vector<Edge>& imp
     return {refine::refines(s, i, refine::Model::failures_divergences, {}), tick_tock_refines(s, i, tock, {})};
 }
 
-/// After a time unit in which a was refused, b is offered forever. After a time unit in which a was offered and not
-/// taken, only time passes.
+/// A process in which time shows whether a was refused. After a time unit in which a was refused, b is offered forever.
+/// After a time unit in which a was offered and not taken, only time passes.
 const std::vector<Edge> late_offer = {{0, "tau", 1}, {0, "tau", 2},  {1, "tock", 3}, {2, "a", 5},   {2, "tock", 4},
                                       {3, "b", 3},   {3, "tock", 3}, {4, "tock", 4}, {5, "tock", 5}};
 
 TEST(TickTock, WhatWasRefusedBeforeTimePassedCounts) {
-    // It refuses a, lets time pass, and then refuses b: no run of the specification does this.
+    // the process refuses a, lets time pass, and then refuses b, which the specification never does
     const Answers answers = ask(late_offer, {{0, "tock", 1}, {1, "tock", 1}});
     EXPECT_EQ(answers.failures_divergences.outcome, refine::Outcome::holds);
     ASSERT_EQ(answers.tick_tock.outcome, refine::Outcome::fails);
     EXPECT_EQ(answers.tick_tock.counterexample->kind, refine::ViolationKind::refusal);
     EXPECT_EQ(answers.tick_tock.counterexample->steps.size(), 1U);
-    // If it offers a instead, it may refuse b after the time unit.
+    // if the process offers a instead, it may refuse b after the time unit
     const Answers offers = ask(late_offer, {{0, "tock", 1}, {0, "a", 1}, {1, "tock", 1}});
     EXPECT_EQ(offers.tick_tock.outcome, refine::Outcome::holds);
 }
@@ -88,7 +88,8 @@ then_time = ref?_ -> then_time [] tock -> events_first
 TT(P) = refusals(prioritise(P, <{}, {tock}>)) [| union(observed, {|ref|}) |] events_first
 )";
 
-/// A few states with random edges; no cycles of hidden events, because model shifting does not handle divergence.
+/// A process of a few states with random edges. It has no cycles of hidden events, because model shifting does not
+/// handle divergence.
 std::string random_process(const std::string& name, std::mt19937& random, std::vector<Edge>& edges) {
     const auto pick = [&](unsigned n) { return static_cast<unsigned>(random() % n); };
     const std::vector<std::string> events{"a", "b", "tock", "tock", "tau"};

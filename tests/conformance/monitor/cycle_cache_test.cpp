@@ -22,7 +22,7 @@ struct Written {
     std::vector<double> arguments;  ///< integers for integer types
 };
 
-/// One component's tables, its ports, and two monitors: one gets whole cycles, the other single events.
+/// The tables and ports of one component, and two monitors: one receives whole cycles, the other single events.
 class Pair {
 public:
     Pair(const MonitorTables& tables, std::vector<Port> inputs, std::vector<Port> outputs)
@@ -141,8 +141,8 @@ private:
     std::unique_ptr<CyclicModel> model_;
 };
 
-/// Ten thousand cycles of swarm taxis: outputs that its model allows (found by trying them on a copy), and some that it
-/// forbids, among them headings that never occurred before.
+/// Ten thousand cycles of swarm taxis. Most outputs are allowed by the model, as a trial on a copy shows. Some are
+/// forbidden, among them headings that never occurred before.
 TEST(CycleCache, AreWhatTheirEventsAre) {
     const Made made("corpus/swarm_taxis");
     const MonitorTables& tables = made.build->tables();
@@ -196,8 +196,8 @@ TEST(CycleCache, AreWhatTheirEventsAre) {
     EXPECT_GT(violated, 50);
 }
 
-/// Hand-written tables: one state; an input with the values -1 and 3; an output with two arguments from {0, 1}, for
-/// which (0, 1) and (1, 0) are allowed; and an output of a real number, 0 or 0.5.
+/// The tables are written by hand. There is one state, an input with the values -1 and 3, an output with two arguments
+/// from {0, 1} of which (0, 1) and (1, 0) are allowed, and an output of a real number, 0 or 0.5.
 class ByHand : public ::testing::Test {
 protected:
     static constexpr std::uint16_t dead = Monitor::dead;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Monitors: their automaton is that of the normal form, their header is self-contained, and their verdicts agree with
-// those on logs.
+// Tests monitors. Their automaton is that of the normal form, their header is self-contained, and their verdicts agree
+// with those on logs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -127,8 +127,8 @@ extern "C" __attribute__((visibility("default"))) int run(double first, double s
     EXPECT_THAT(files[0].text, HasSubstr("(aggregation.rct:")) << "no folders in generated text";
 }
 
-/// Headings are only passed on: the robot may turn by any of them. A heading that differs from the received one is
-/// detected, with rare exceptions.
+/// The model only passes headings on: the robot may turn by any of them. A heading that differs from the received one
+/// is detected, with rare exceptions.
 TEST(Monitors, FollowValuesThatArePassedOn) {
     const MonitoredModel made("corpus/swarm_taxis");
     const MonitorTables& tables = made.build->tables();

@@ -39,7 +39,7 @@ bool alike(const cpp_emit::Emission& a, const cpp_emit::Emission& b) {
                       [](const auto& one, const auto& other) { return one.text == other.text; });
 }
 
-/// What distinguished a mutant from the model.
+/// The kind of evidence that distinguished a mutant from the model.
 std::string means(const Result& result) {
     constexpr std::pair<const char*, const char*> words[] = {
         {"event API", "the event API"},

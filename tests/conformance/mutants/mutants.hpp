@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mutation analysis of the generator: every seeded fault at every place of a model, compiled in batches and judged.
-// Each mutant is killed, shown by the checker to be equivalent, or a variant that the model allows.
+// Mutation analysis of the generator: seeds every fault at every place of a model, compiles the mutants in batches and
+// judges them. A mutant is killed, or the checker shows that it is equivalent, or it is a variant that the model
+// allows.
 #pragma once
 
 #include <optional>
@@ -34,7 +35,7 @@ class Study {
 public:
     Study(Model& model, ir::ComponentRef component, cpp_emit::Strategy strategy = cpp_emit::Strategy::automatic);
 
-    /// The result for the unchanged code. It must be `conforms`, otherwise the analysis has no meaning.
+    /// The result for the unchanged code. If it is not `conforms`, the analysis has no meaning.
     [[nodiscard]] Result original();
     /// Every mutant whose code differs from the original, at most `sites` of each kind, spread evenly.
     /// `event_api_only`: only faults of the event API.

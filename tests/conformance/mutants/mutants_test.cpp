@@ -20,7 +20,7 @@ using cpp_emit::Fault;
 using test::Fate;
 using test::Mutant;
 
-/// A variant: it conforms and behaves differently from the original, because it resolves a choice of the model
+/// A variant that conforms but behaves differently from the original, because it resolves a choice of the model
 /// differently.
 struct Open {
     Fault fault;
@@ -43,7 +43,7 @@ constexpr Open open_choices[] = {
     {Fault::wrong_output, "choices", "behind one way of the probabilistic junction is what is behind the other"},
 };
 
-/// Faults that only change how a choice of the model is resolved, so no test can kill them.
+/// Whether the fault only changes how a choice of the model is resolved. No test can kill such a fault.
 bool decides_only(Fault fault) {
     return std::any_of(std::begin(open_choices), std::end(open_choices),
                        [&](const Open& open) { return open.fault == fault && open.model == nullptr; });
@@ -160,7 +160,7 @@ TEST_F(Mutants, AreKilledOrEquivalentOrAllowed) {
     try_machine(models + "tower", "Tower", 1);
     try_machine(models + "timing", "Timing", 3);
     try_machine(models + "choices", "Choices", 1);
-    // The numbers that the machine reads are indexes into sequences of two elements.
+    // the machine uses the numbers that it reads as indexes into sequences of two elements
     ir::InstantiationOptions few;
     few.ranges = {{"nat", {0, 2}}, {"int", {-2, 2}}};
     try_machine(models + "words", "Words", 2, few);

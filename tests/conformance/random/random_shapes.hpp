@@ -8,8 +8,8 @@
 
 namespace robochart::conformance::test {
 
-/// Small systems of several kinds: deep ones, ones with several machines or controllers, untimed ones. In most of them
-/// actions take time, because otherwise few models are schedulable.
+/// Small systems of several kinds: deep systems, systems with several machines or controllers, untimed systems. Most
+/// actions in them take time, because otherwise few models are schedulable.
 [[nodiscard]] random_models::Shape core_shape(std::uint64_t seed);
 /// The core shape with a few other language constructs at a time: operations that call operations and access variables
 /// and clocks of their callers, repeated names, values of all types, junctions with overlapping alternatives,

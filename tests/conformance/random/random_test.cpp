@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random models of the language's reactive core: generated, compiled in batches, explored over all inputs, compared
-// with their semantics. No discrepancy is accepted. ROBOCHART_SEEDS=N sets the number of models and
+// Generates random models of the language's reactive core, compiles their code in batches, explores it over all inputs
+// and compares it with the semantics. No discrepancy is accepted. ROBOCHART_SEEDS=N sets the number of models and
 // ROBOCHART_FIRST_SEED=N the first one. ROBOCHART_REPORT=FILE writes one line per count to FILE
 // (tests/long.sh conformance).
 #include <fmt/format.h>
@@ -102,8 +102,7 @@ TEST(RandomModels, Campaign) {
     print(run(shape->of, false, tests::rounds(1000)).tally());
 }
 
-/// The widened shape generates all of its constructs in models that are small enough. They are counted without
-/// generating code.
+/// The widened shape generates all of its constructs in small models. The test counts them without generating code.
 TEST(RandomModels, WidenedHaveEveryConstruct) {
     std::map<std::string, std::size_t> counts;
     constexpr std::size_t models = 1500;
@@ -116,7 +115,8 @@ TEST(RandomModels, WidenedHaveEveryConstruct) {
     for (const std::string& word : widened_constructs()) EXPECT_GE(counts[word], 3U) << word << " is made too seldom";
 }
 
-/// Calls that may violate a precondition. The widened shape has such calls only for the model's own functions.
+/// The models contain calls that may violate a precondition. The widened shape has such calls only for the model's own
+/// functions.
 TEST(RandomModels, OfToolkitsCallWhatHasPreconditions) {
     std::size_t found = 0;
     constexpr std::size_t models = 200;
@@ -139,7 +139,7 @@ TEST(RandomModels, OfTheOtherShapesConform) {
     }
 }
 
-/// For every answer at every choice, the code does what the model allows.
+/// The code conforms for every answer at every choice.
 TEST(RandomModels, ConformInAllChoices) {
     const Campaign campaign = run(core_shape, true, tests::rounds(50));
     EXPECT_GE(campaign.tally().conforming * 2, campaign.tally().models) << "too few can be explored";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Complete test suites: they kill every faulty controller of their fault domain, pass the correct one, and are runs of
-// the model.
+// Tests complete test suites. They kill every faulty controller of their fault domain, pass the correct one, and are
+// runs of the model.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ public:
         machine = cycle_automaton(*model, limits);
     }
 
-    /// Whether the compiled code makes the model's outputs in every run of the suite.
+    /// Whether the compiled code makes the outputs of the model in every run of the suite.
     bool passes(const rc_interface& code, const std::vector<TestWord>& suite) const {
         for (const TestWord& test : suite) {
             std::vector<unsigned char> image(code.state_size);
@@ -118,8 +118,8 @@ private:
     }
 };
 
-/// By hand: initially there was no output; then the robot drives or turns. It drives in the same way after the first
-/// cycle as after later ones, so only the initial state is additional. Two signals have four valuations.
+/// Counted by hand. Initially there was no output; then the robot drives or turns. It drives in the same way after the
+/// first cycle as after later ones, so only the initial state is additional. Two signals have four valuations.
 TEST(TestSuites, TheMachineOfAggregationIsSmall) {
     const Suites suites("corpus/aggregation");
     EXPECT_EQ(suites.machine.inputs.size(), 4U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Logs of runs compared with the model: accepted logs, rejected logs and their reports, omissions in partial logs, and
+// Compares logs of runs with the model: accepted logs, rejected logs and their reports, omissions in partial logs, and
 // the format of logs. The expectations follow from the models by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -231,7 +231,7 @@ stm M {
 }
 )";
 
-/// Blanks, the order and duplicates in sets, and names as in CSP: one value has several spellings.
+/// One value has several spellings: blanks, the order and duplicates in sets, and names as in CSP may differ.
 TEST(Traces, ValuesWithPartsAreReadByTheirType) {
     Replay replay(test::TemporaryFolder(carrier).path(), "M");
     for (const char* cycle :
@@ -245,7 +245,7 @@ TEST(Traces, ValuesWithPartsAreReadByTheirType) {
         EXPECT_EQ(replay.check(std::string("run a\ntock\n") + cycle + " tock\n").rejected, 1U) << cycle;
 }
 
-/// Reals are only passed on: a real outside the carrier is replaced by one of the carrier, consistently in all
+/// The model only passes reals on. A real outside the carrier is replaced by one of the carrier, consistently in all
 /// composite values that contain it. A sequence longer than the model's maximum is outside for any elements, and so is
 /// a partial function.
 TEST(Traces, PartsOutsideTheFiniteInstantiation) {
@@ -320,7 +320,7 @@ std::string code_of(const LogReport& report) {
     return report.fault ? std::string(report.fault->fault.rule->code) : "";
 }
 
-/// Each rule for logs with a faulty log and a similar correct one.
+/// Tests each rule for logs with a faulty log and a similar correct one.
 TEST(Traces, LogsThatCannotBeReadAreReportedWithTheirPlace) {
     Replay replay = aggregation();
     EXPECT_EQ(code_of(replay.whole("")), "RC-L01");
@@ -373,7 +373,7 @@ TEST(Traces, PartsThatAreNoneOfTheirTypeAreReportedWithTheirPlace) {
     }
 }
 
-/// A fault in a later line is reported even if an earlier verdict is known.
+/// A fault in a later line is reported even if an earlier run has a verdict.
 TEST(Traces, LogsAreReadToTheirEnd) {
     Replay replay = aggregation();
     const LogReport report = replay.check("run a\nlinearSpeed!0 tock\nseeNobody?\n");
