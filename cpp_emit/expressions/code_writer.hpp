@@ -12,7 +12,7 @@
 namespace robochart::cpp_emit {
 
 /// Writes lines of C++. They consist of the project's own text, identifiers (names.hpp) and literals
-/// (diagnostics/escape.hpp), which contain no control character and no character beyond ASCII. A line with such a
+/// (base/diagnostics/escape.hpp), which contain no control character and no character beyond ASCII. A line with such a
 /// character is an internal error. Comments accept any text.
 class CodeWriter {
 public:

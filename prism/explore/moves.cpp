@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // See moves.hpp. Computes the combinations again in the same way as the explorer, and compares them with its results.
-#include "checker/prism/explore/moves.hpp"
+#include "prism/explore/moves.hpp"
 
 #include <fmt/format.h>
 

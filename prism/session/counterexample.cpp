@@ -3,7 +3,7 @@
 // negation of the formula is too likely. Both are probabilities to reach states (docs/probability.md,
 // "Counterexamples"). If `left U right` is too unlikely, the paths to states from which it has probability 0 are too
 // likely.
-#include "checker/prism/counterexample.hpp"
+#include "prism/counterexample.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses tokens and the items of files. See parser.hpp.
-#include "checker/prism/syntax/parser.hpp"
+#include "prism/syntax/parser.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's first case study: machine, controller and module. The expected outputs are derived from the model text
-// (corpus/aggregation): reals are hundredths, one cycle is one time unit.
+// Tests the paper's first case study: machine, controller and module. The expected outputs are derived from the model
+// text (corpus/aggregation). Reals are hundredths, and one cycle is one time unit.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

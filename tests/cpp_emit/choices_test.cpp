@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Code that asks its platform at the choices of the model (`emit cpp --choices`). A platform without `pick` gets the
-// first alternative; a platform that replays recorded answers gets those. Without the option the code contains no
-// questions.
+// Tests code that asks its platform at the choices of the model (`emit cpp --choices`). For a platform without `pick`
+// the code takes the first alternative. A platform that replays recorded answers determines the alternatives. Without
+// the option the code asks no questions.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -168,7 +168,7 @@ TEST_F(ChoicesConsole, TheWordsOfACycleAnswer) {
               "cycle 3\n  state A\n"
               "cycle 4\n  picks 1 of 0..2\n  middle()\n  state C\n"
               "cycle 5\n  state A\n"
-              "cycle 6\n  picks 0 of 0..2\n  left()\n  state B\n");  // no answer given: the first
+              "cycle 6\n  picks 0 of 0..2\n  left()\n  state B\n");  // no answer is given: the first alternative
     EXPECT_EQ(file("run.record"), recorded);
     EXPECT_EQ(drive("", "--replay run.record --record again.record"), output);
     EXPECT_EQ(file("again.record"), recorded);
@@ -196,7 +196,7 @@ TEST_F(ChoicesConsole, WrongAnswersAreReported) {
     EXPECT_NE(drive("\n", "--record /no/such/folder", false).find("cannot write /no/such/folder"), std::string::npos);
 }
 
-/// Invalid records of this controller, and records of something that did not happen: the message names the line.
+/// Invalid records of this controller, and records of cycles that did not happen. The message names the line.
 TEST_F(ChoicesConsole, RecordsThatDoNotFitAreReported) {
     build(text);
     EXPECT_EQ(drive("", "--replay missing", false), "missing: cannot be read\n");
@@ -231,7 +231,7 @@ stm M { requires O event pick : nat var n : nat initial i probabilistic p
     transition t4 { from B to F } transition t5 { from C to F } }
 )";
 
-/// Alternatives that are drawn are answered in the same way, also without --choices. An input called `pick` keeps its
+/// The same answers determine alternatives that are drawn, also without --choices. An input called `pick` keeps its
 /// name. The controller may terminate before its record ends.
 TEST_F(ChoicesConsole, WaysOfProbabilisticJunctions) {
     build(chances, false);

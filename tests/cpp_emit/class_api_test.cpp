@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The classes of the paper's mapping, used as a robot's author would use them: derive, override, raise events, step.
-// The exit code of each program identifies the first expectation that fails.
+// Tests the classes of the paper's mapping. The programs use them as a robot's author would: derive, override, raise
+// events, step. The exit code of each program identifies the first expectation that fails.
 #include <gtest/gtest.h>
 
 #include <fstream>

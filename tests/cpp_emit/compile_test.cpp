@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All code generated for the corpus compiles without warnings on both compilers, the controller also without exceptions
-// and RTTI. A scripted run of it is clean under AddressSanitizer and UBSan.
+// Compiles all code generated for the corpus. It must compile without warnings on both compilers, and the controller
+// also without exceptions and RTTI. A scripted run must be clean under AddressSanitizer and UBSan.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

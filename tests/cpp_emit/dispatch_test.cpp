@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The event API compared with the cycle API in every reachable state of a controller. Dispatching an event and then
+// Compares the event API with the cycle API in every reachable state of a controller. Dispatching an event and then
 // running a cycle without inputs must equal one cycle with the event. begin() and then a cycle without inputs must
 // equal a cycle without events. The test runs both strategies over all states and inputs of the compiled code.
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@
 namespace robochart::cpp_emit {
 namespace {
 
-/// Compiled together with the exploration interface, because it uses names from its unnamed namespace. Prints the
-/// number of compared steps.
+/// The driver is compiled together with the exploration interface, because it uses names from its unnamed namespace. It
+/// prints the number of compared steps.
 constexpr const char* driver = R"(
 #include <array>
 #include <cstdio>
@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(BothWays, Dispatch,
                          ::testing::Combine(::testing::ValuesIn(cases),
                                             ::testing::Values(Strategy::nested_switch, Strategy::table)));
 
-/// Code that asks its platform does so in both APIs: `dispatch` runs as a cycle, and the strategy has no effect.
+/// Code that asks its platform asks it in both APIs: `dispatch` runs as a cycle, and the strategy has no effect.
 /// tests/conformance/check/dispatch_equivalence_test.cpp compares both APIs for every answer.
 TEST(Strategies, CodeThatAsksRunsAsInACycle) {
     diagnostics::SourceManager sources;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors and matrices of generated code compared with Eigen's fixed-size types: both run on the same inputs, and the
-// test compares the results step by step.
+// Compares vectors and matrices of generated code with Eigen's fixed-size types. Both compute with the same inputs, and
+// the test compares the results step by step.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The embedded profile: generated code compiled for a Cortex-M4 (Debian: gcc-arm-none-eabi and
-// libstdc++-arm-none-eabi-newlib) without exceptions and RTTI. Its objects need nothing that a microcontroller may
-// lack: no heap, no streams, no exceptions, no constructors before main, no static data.
+// The embedded profile: compiles generated code for a Cortex-M4 (Debian: gcc-arm-none-eabi and
+// libstdc++-arm-none-eabi-newlib) without exceptions and RTTI. Its objects must not need features that a
+// microcontroller may lack: a heap, streams, exceptions, constructors before main, static data.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -27,7 +27,7 @@ struct Sizes {
 
 class Embedded : public ::testing::Test {
 protected:
-    /// Without the packages the test is skipped; in continuous integration it fails.
+    /// Whether the packages are installed. Without them the test is skipped; in continuous integration it fails.
     bool available() {
         std::string ignored;
         return folder_.status("echo '#include <cstdint>' | arm-none-eabi-g++ -x c++ -fsyntax-only -", ignored) == 0;
@@ -111,7 +111,7 @@ TEST_F(Embedded, TheLeanCoreOfAggregation) {
     EXPECT_LT(sizes.text, 2048U);
 }
 
-/// Types are a policy: the same text with reals of four bytes, for the single-precision FPU.
+/// Types are a policy, so the same text works with reals of four bytes, for the single-precision FPU.
 TEST_F(Embedded, WithRealsOfFourBytes) {
     ROBOCHART_NEEDS_ARM;
     emit("aggregation", "Aggregation");
@@ -151,7 +151,7 @@ extern "C" unsigned control_cycle(core::State<Types>* state, const core::Inputs<
     EXPECT_LT(sizes.text, 4096U);
 }
 
-/// The classes of the paper's mapping: MakeTransition and related methods.
+/// Compiles the classes of the paper's mapping, with MakeTransition and related methods.
 TEST_F(Embedded, TheClasses) {
     ROBOCHART_NEEDS_ARM;
     emit("swarm_taxis", "SwarmTaxis");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every seeded fault changes the behaviour of the controller at its own place, and does not affect code generated
-// without a fault.
+// Tests that every seeded fault changes the behaviour of the controller at its own place, and does not affect code
+// generated without a fault.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{Fault::exit_dropped, "exit_dropped", actions, three},
         Case{Fault::argument_swapped, "argument_swapped", calling, {{}}},
         Case{Fault::assignment_dropped, "assignment_dropped", actions, three},
-        // The second a comes too early and must be lost.
+        // the second a comes too early and must be lost
         Case{Fault::event_kept, "event_kept", two_inputs, {{{"a.in", ""}}, {{"a.in", ""}}, {{"b.in", ""}}}},
         Case{Fault::wait_dropped, "wait_dropped", actions, three},
         Case{Fault::output_repeated, "output_repeated", two_outputs, {{}, {}}},

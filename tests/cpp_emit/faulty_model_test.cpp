@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seeded faults that can be expressed in the IR: the changed machine, and that all other parts stay the same. The
+// Tests seeded faults that the IR can express: the machine changes as described, and all other parts stay the same. The
 // expected texts follow from the descriptions in all_faults() and from the form of `--print ir`.
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ class FaultyModels : public ::testing::Test {
 protected:
     void SetUp() override { ASSERT_TRUE(component_); }
 
-    /// The model's text with a fault.
+    /// The text of the model with a fault.
     std::string text(Fault fault, std::uint32_t site) {
         Mutation mutation(fault, site);
         const FaultyModel faulty(system_, inst_, *component_, mutation);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layout of generated text, for one small machine (golden/door.rct), as a reader of the code sees it. After an
-// intended change of layout, read the new text and store it in golden/.
+// Tests the layout of generated text, as a reader of the code sees it, for one small machine (golden/door.rct). After
+// an intended change of layout, read the new text and store it in golden/.
 #include <gtest/gtest.h>
 
 #include <fstream>

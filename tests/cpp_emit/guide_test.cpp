@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/cpp.md: the test extracts its programs, compiles them with the generated code as C++17 and C++20, and compares
-// their output with the page. The layout table is compared with states of every kind.
+// Tests docs/cpp.md. Extracts its programs, compiles them with the generated code as C++17 and C++20, and compares
+// their output with the page. Compares the layout table with states of every kind.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -92,8 +92,8 @@ int main() { auto state = core::init<Types>(); core::Inputs<Types> inputs; Lacki
     EXPECT_NE(output.find("the platform lacks a method"), std::string::npos) << output;
 }
 
-/// Records, sequences, several machines, buffers: every byte belongs to exactly one row of the table, for both kinds of
-/// types.
+/// Records, sequences, several machines and buffers: every byte belongs to exactly one row of the table, for both kinds
+/// of types.
 TEST(Guide, TheLayoutCoversEveryState) {
     const ir::System system = testing::model(R"(package p
 enumeration Light { Red Green Blue }

@@ -23,7 +23,7 @@ public:
 
     [[nodiscard]] const std::string& path() const { return path_; }
     void write(const Emission&) const;
-    /// Runs a shell command in the folder; returns its output. A nonzero exit code fails the test.
+    /// Runs a shell command in the folder and returns its output. A nonzero exit code fails the test.
     std::string run(const std::string& command) const;
     [[nodiscard]] int status(const std::string& command, std::string& output) const;
 
@@ -31,7 +31,7 @@ private:
     std::string path_;
 };
 
-/// Inputs of one cycle: register name -> value text as in rc_input::text ("" for inputs without value).
+/// The inputs of one cycle: register name -> value text as in rc_input::text ("" for inputs without value).
 using Registers = std::map<std::string, std::string>;
 
 /// A controller in a shared object.
@@ -42,7 +42,7 @@ public:
     Controller(const Controller&) = delete;
     Controller& operator=(const Controller&) = delete;
 
-    /// Runs one cycle; returns its outputs: "MoveClockwiseCall(-75,-1088)", "out.out(1)", "stop.out".
+    /// Runs one cycle and returns its outputs: "MoveClockwiseCall(-75,-1088)", "out.out(1)", "stop.out".
     std::vector<std::string> cycle(const Registers& = {});
     /// Returns to the initial state.
     void reset();
@@ -64,7 +64,7 @@ private:
     rc_result result_ = RC_QUIESCENT;
 };
 
-/// Reference to a machine, controller or module by name.
+/// A reference to a machine, controller or module by its name.
 [[nodiscard]] ir::ComponentRef component(const ir::System&, const std::string& name);
 /// Generates code; findings other than notes fail the test.
 [[nodiscard]] Emission emit_ok(const ir::System&, const ir::ComponentRef&, const Options& = {},

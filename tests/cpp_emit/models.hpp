@@ -9,12 +9,12 @@
 
 namespace robochart::cpp_emit::testing {
 
-/// A project of corpus/ as IR; errors fail the test.
+/// Loads a project of corpus/ as IR; errors fail the test.
 [[nodiscard]] ir::System corpus(const std::string& name);
-/// RoboChart text as IR; errors fail the test.
+/// Loads RoboChart text as IR; errors fail the test.
 [[nodiscard]] ir::System model(const std::string& text);
 
-/// A module `Mod` with an enumeration, whole numbers, several arguments, an event sent, termination.
+/// A module `Mod` with an enumeration, whole numbers, several arguments, a sent event, and termination.
 extern const char* const typed_model;
 
 /// Writes the code of every component of a project that can be generated, each into its own folder; returns their

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of model elements in generated code: in no position is a name a keyword, a macro of an available header, or a
-// name that generated code uses itself. Code generated with such names compiles.
+// Tests the names of model elements in generated code. In no position is such a name a keyword, a macro of an available
+// header, or a name that generated code uses itself. Code with such elements compiles.
 #include "cpp_emit/plan/names.hpp"
 
 #include <gtest/gtest.h>
@@ -133,8 +133,8 @@ void expect_listed(const Emission& emission) {
     for (const OutputFile& file : emission.files) {
         const bool code = file.path.ends_with(".hpp") || file.path.ends_with(".cpp");
         const bool shipped = file.path.find("robochart/") != std::string::npos;
-        // In projects for simulators only robot.hpp sees members of the generated class. In a package of ROS 2 src/
-        // does; it uses names that do not occur in the class (tests/cpp_emit/ros2/node_test.cpp).
+        // In projects for simulators, only robot.hpp sees members of the generated class. In a package of ROS 2, src/
+        // sees them, too; it uses names that do not occur in the class (tests/cpp_emit/ros2/node_test.cpp).
         const bool project = file.path == "body.hpp" || file.path.starts_with("src/") ||
                              file.path == "controller.cpp" ||
                              (file.path == "main.cpp" && file.text.find("Enki") != std::string::npos);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arithmetic of runtime/finite.hpp agrees with the evaluator of the semantics for all pairs of small carriers;
-// division in deployed code rounds like the model's.
+// Compares the arithmetic of runtime/finite.hpp with the evaluator of the semantics, for all pairs of small carriers.
+// Division in deployed code rounds like the model's.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -119,7 +119,7 @@ TEST(Numbers, DurationsAreNotNegative) {
     EXPECT_EQ(duration(INT64_MAX), static_cast<std::uint32_t>(INT32_MAX));
 }
 
-/// A type of 8 bits allows all pairs of operands to be tested.
+/// Computes with 8 bits, because all pairs of operands of such a type can be tested.
 std::int8_t fitting(int exact, std::int8_t first) {
     return exact >= INT8_MIN && exact <= INT8_MAX ? static_cast<std::int8_t>(exact) : first;
 }

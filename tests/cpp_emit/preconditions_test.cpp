@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Preconditions of functions in generated code: which checks are generated, in which order, and which are unnecessary.
-// tests/conformance/check/preconditions_test.cpp shows that the code agrees with the model.
+// Tests the checks of function preconditions in generated code: which checks are generated, in which order, and which
+// are omitted as unnecessary. tests/conformance/check/preconditions_test.cpp shows that the code agrees with the model.
 #include <gtest/gtest.h>
 
 #include <algorithm>

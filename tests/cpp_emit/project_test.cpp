@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Projects of `emit cpp --target`: each is generated, configured, built without a warning and run without changes.
-// Debian has no ROS 2, so its package is built with tests/cpp_emit/ros2_stub; ARGoS is used if it is installed.
+// Tests the projects of `emit cpp --target`. Each is generated, configured, built without a warning, and run without
+// changes. Debian has no ROS 2, so its package is built with tests/cpp_emit/ros2_stub. ARGoS is used if it is
+// installed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -67,8 +68,8 @@ int main() {
         "cmake -S user -B user/build -DCMAKE_PREFIX_PATH=$PWD/prefix && cmake --build user/build && user/build/user");
 }
 
-/// Probabilistic junctions draw alternatives with their probabilities. 100,000 draws of 0.75 are within five standard
-/// deviations, 0.00685, of it.
+/// Probabilistic junctions draw alternatives with their probabilities. The frequency in 100,000 draws must be within
+/// five standard deviations (0.00685) of 0.75.
 TEST_F(Project, JunctionsAreDrawnByTheirChances) {
     emit(testing::model(R"(package p
 interface O { left() right() never() }
@@ -120,7 +121,7 @@ TEST_F(Project, TheConsoleTakesLinesOrTime) {
     EXPECT_NE(lines.find("cycle 1\n  MoveForward()\n  CheckIlluminationStatus()\n  state Forward"), std::string::npos)
         << lines;
     EXPECT_NE(lines.find("cycle 3\n  CalcAvoidanceHeading()"), std::string::npos) << lines;
-    // The first word that is not an input is answered with the list of inputs.
+    // the answer to the first word that is no input is the list of inputs
     EXPECT_NE(lines.find("not an input: nothing\nusage: SwarmTaxisFSM_console "), std::string::npos) << lines;
     EXPECT_NE(lines.find("  illumination=VALUE"), std::string::npos) << lines;
     const std::string help = folder_.run("build/SwarmTaxisFSM_console --help");
@@ -147,7 +148,7 @@ TEST(ProjectText, APackageIsWellFormed) {
     for (const OutputFile& file : emission.files)
         if (file.path == "package.xml") text = file.text;
     ASSERT_NE(text.find("<package format=\"3\">"), std::string::npos) << text;
-    // Every element is closed in the element that opened it; the order is that of REP 149.
+    // every element is closed inside the element that opened it; the order is that of REP 149
     std::vector<std::string> open, order;
     for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
         const std::size_t end = text.find('>', at);
@@ -216,7 +217,7 @@ bool enki_is_there(const Folder& folder) {
     return folder.status("echo '#include <enki/PhysicalEngine.h>' | c++ -x c++ -fsyntax-only -", ignored) == 0;
 }
 
-/// As generated, robots report their actions and do not move; with robot.hpp filled in, twenty robots aggregate.
+/// As generated, robots report their actions and do not move. With a completed robot.hpp, twenty robots aggregate.
 TEST_F(Project, RobotsInEnki) {
     ROBOCHART_NEEDS(enki_is_there(folder_), "Enki (Debian: libenki-dev)");
     emit("aggregation", "Aggregation", Target::enki);
@@ -248,7 +249,7 @@ TEST_F(Project, RobotsOfOtherModelsInEnki) {
     EXPECT_NE(output.find("robot 0: go 0.5 3"), std::string::npos) << output;
 }
 
-/// RoboTool's own models, if they are present: classes and console programs of all modules.
+/// Classes and console programs of all modules in RoboTool's own models, if these are present.
 TEST(ProjectText, RoboToolsModelsOnTheConsole) {
     namespace fs = std::filesystem;
     const fs::path suite = robochart::tests::shared_folder() / "suite/robotool/accept";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models that cannot be generated are rejected with a named rule: one model for each rule of cpp_emit/plan/rules.hpp
-// that violates only this rule.
+// Models that cannot be generated are rejected with a named rule. For each rule of cpp_emit/plan/rules.hpp there is one
+// model that violates only this rule.
 #include "cpp_emit/plan/rules.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 using testing::component;
 
-/// The codes reported for a component.
+/// The codes of the findings for a component.
 std::vector<std::string> codes(const ir::System& system, const ir::ComponentRef& ref) {
     diagnostics::Diagnostics diagnostics;
     const ir::Instantiation inst = ir::instantiate(system, {}, diagnostics);
@@ -119,7 +119,7 @@ TEST(Refusals, Recursion) {
     entry = std::make_shared<const ir::Stmt>(sequence);
     EXPECT_EQ(codes(system, component(system, "Aggregation")), Codes{"RC-G10"});
     EXPECT_TRUE(testing::emit_ok(system, component(system, "AggregationFSM")).files.size() >
-                1);  // in this component it belongs to the platform
+                1);  // in this component the operation belongs to the platform
 }
 
 TEST(Refusals, ConditionsOnTheValueOfAnUnconnectedEvent) {
@@ -179,7 +179,8 @@ TEST(Refusals, MoreValuesThanTheExplorationInterfaceTakes) {
               Codes{"RC-G13"});
 }
 
-/// 65,536 sets of sets of four numbers: the number of values is acceptable, but they are long.
+/// The value is one of 65,536 sets of sets of four numbers. This number of values is acceptable, but the values are
+/// long.
 TEST(Refusals, ValuesOfManyPartsAreNotListed) {
     EXPECT_EQ(machine_codes("event out : Set(Set(nat)) var n : nat = 3 var s : Set(Set(nat)) state A { entry out!s }"),
               Codes{"RC-G13"});

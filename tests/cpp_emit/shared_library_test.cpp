@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs that the toolkit runs: their exit status, their output, and how they end.
+// Tests programs that the toolkit runs: their exit status, their output, and how they end.
 #include "cpp_emit/load/shared_library.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST_F(Programs, TellHowTheyEnded) {
     EXPECT_NE(error_.find("cannot run no-such-program-here"), std::string::npos) << error_;
 }
 
-// A program that is ended leaves its temporary files in the folder that the caller removes.
+// A killed program leaves its temporary files in the folder that the caller removes.
 TEST_F(Programs, HaveTheirTemporaryFilesBesideTheirLog) {
     EXPECT_EQ(run_program({"sh", "-c", "printf %s \"$TMPDIR\"; test -n \"$PATH\""}, log(), error_), 0);
     std::string reported;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's second case study as a module. The expected outputs are derived from corpus/swarm_taxis: one cycle is one
-// time unit, the waits of Forward and Turn take one each, reals are hundredths or finer (rc_interface::scale).
+// Tests the paper's second case study as a module. The expected outputs are derived from corpus/swarm_taxis. One cycle
+// is one time unit, the waits of Forward and Turn take one unit each, and reals are hundredths or finer
+// (rc_interface::scale).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The trace hook costs nothing for a platform that does not use it, and reports the taken transitions to a platform
+// The trace hook produces no code for a platform that does not use it. It reports the taken transitions to a platform
 // that does.
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ robochart::StepResult cycle(core::State<robochart::Deployment>& state,
 )";
     }
 
-    /// The machine's code, as the compiler prints it.
+    /// The assembly code of the machine.
     std::string assembly(const std::string& options) const {
         folder_.run("c++ -std=c++17 -O2 -S " + options + " -I . user.cpp -o user.s");
         std::ostringstream text;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Branches of a choice that differ only in their events are combined, and the process keeps its meaning.
+// Tests that branches of a choice that differ only in their events are combined, and that the process keeps its
+// meaning.
 #include "csp_emit/passes/choice_factoring.hpp"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Name clashes: names that csp blocks define and names of model elements, compared with every name that CSPM predefines
-// and every name of the library. The generated part must keep its meaning, and definitions that a block makes for the
-// model must take effect.
+// Tests name clashes. Compares names that CSP blocks define and names of model elements with every name that CSPM
+// predefines and every name of the library. The generated part must keep its meaning, and definitions that a block
+// makes for the model must take effect.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +35,8 @@ std::string with(std::string text, const std::string& name) {
     return text;
 }
 
-// Uses sequences, sets, relations, functions, clocks, waits, calls and arrays, so it needs most of the library.
+// A model that uses sequences, sets, relations, functions, clocks, waits, calls and arrays, so that it needs most of
+// the library.
 const char* const variety = R"(
     import sequence_toolkit::*
     import set_toolkit::*
@@ -405,7 +406,7 @@ TEST(Apart, EveryNameMayStandEverywhere) {
     }
 }
 
-// A reference to S means the first of two machines; the script contains both.
+// A reference to S denotes the first of two machines. The script contains both.
 TEST(Apart, TwoMachinesOfOneNameAreBothThere) {
     const auto m = testing::model_of(
         {{"a.rct", "stm S { event a initial i state A { entry a } transition t { from i to A } }"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every form of assertion in its semantic models (docs/semantics.md, "Assertions"). The answers follow from the
+// Tests every form of assertion in its semantic models (docs/semantics.md, "Assertions"). The answers follow from the
 // semantics of the small machines, by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -178,10 +178,10 @@ TEST(Assertions, PropertiesInTheFailuresModel) {
                         Time::untimed),
                 ElementsAre("holds", "holds", "holds", "holds"));
     EXPECT_THAT(decided("timed assertion A : Ready is timelock-free in the tick-tock model\n", Time::timed),
-                ElementsAre("fails"));  // it can terminate, and a terminated process lets no time pass
+                ElementsAre("fails"));  // the machine can terminate, and a terminated process lets no time pass
 }
 
-// A machine that terminates has ✓ in its traces; a state without incoming transitions is not reachable all the same.
+// A machine that terminates has ✓ in its traces. Even then, a state without incoming transitions is not reachable.
 TEST(Assertions, StatesOfMachinesThatTerminate) {
     const auto m = model(
         "stm S { initial i state A { } state B { } final f transition t0 { from i to A } "

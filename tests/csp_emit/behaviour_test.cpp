@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The behaviour of generated processes, compared with CSPM that was written by hand from the reference (semantics 3.3
-// to 3.8). Equality is refinement in both directions in the failures-divergences model.
+// Compares generated processes with CSPM that was written by hand from the reference (semantics 3.3 to 3.8). Equality
+// is refinement in both directions in the failures-divergences model.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -620,7 +620,7 @@ TEST(Provenance, KeysAreWhatTheCheckerPrints) {
     }
 }
 
-/// Reals are counted in tenths here. A whole number that comes in is as many of them as it is worth.
+/// Reals are counted in tenths here, so a whole number that is received is multiplied by ten.
 TEST(Receptions, WholeNumbersBecomeReals) {
     const std::string body = R"(
         event high event r:real event h:real
@@ -639,7 +639,7 @@ TEST(Receptions, WholeNumbersBecomeReals) {
               "holds");
 }
 
-/// What is lost of 0.5 in a whole number, no semantics says.
+/// No semantics defines the conversion of 0.5 to a whole number.
 TEST(Receptions, RealsDoNotBecomeWholeNumbers) {
     const std::string text = machine(R"(
         event h:real

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Comments are kept in declarations that are printed again, and do not change them.
+// Tests that declarations keep their comments when they are printed again, and that comments do not change
+// declarations.
 #include "csp_emit/base/block_comments.hpp"
 
 #include <gtest/gtest.h>

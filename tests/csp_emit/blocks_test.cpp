@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks of CSP blocks without deciding assertions: findings have places in the block and use the names of the script.
+// Tests the checks of CSP blocks that decide no assertion. Findings have places in the block and use the names of the
+// script.
 #include <gtest/gtest.h>
 
 #include "csp_emit/blocks/check_blocks.hpp"

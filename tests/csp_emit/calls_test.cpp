@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls of defined operations (semantics 3.8): all calls share one definition, which continues after its call.
+// Tests calls of defined operations (semantics 3.8). All calls share one definition, which continues after its call.
 // Specifications were written by hand from the reference; equality is refinement in both directions in the
 // failures-divergences model.
 #include <gmock/gmock.h>
@@ -125,7 +125,7 @@ TEST(Calls, GiveTheCallersVariableWhatIsComputedInside) {
     }
 }
 
-// The constant k is read only after the first call. After the second call it is no parameter any more.
+// The constant k is read only after the first call. After the second call it is no longer a parameter.
 TEST(Calls, KeepConstantsWhereTheyAreRead) {
     EXPECT_EQ(same(with_operations(steps, R"(
         const k : nat = 2

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Controllers and modules compared with hand-written CSPM (semantics 3.7 to 3.10).
+// Compares controllers and modules with hand-written CSPM (semantics 3.7 to 3.10).
 #include <gtest/gtest.h>
 
 #include "tests/csp_emit/fixture.hpp"
@@ -154,7 +154,7 @@ TEST(Operations, ThatAreNotCalledDoNotBoundTheClocksOfAMachine) {
         << m->messages();
 }
 
-/// W writes x once, R outputs what it sees.
+/// W writes x once, and R outputs the value that it reads.
 const char* const shared = R"(
 interface V { var x : nat }
 controller C {
@@ -202,7 +202,7 @@ TEST(Memory, WritesArePropagatedBeforeTimePasses) {
               "holds");
 }
 
-/// A platform variable with an initial value that is read at every `go` and written at the start.
+/// A platform variable with an initial value. It is written at the start and read at every `go`.
 const char* const platform = R"(
 interface V { var y : nat = 1 }
 interface E { event go event o : nat }

@@ -19,7 +19,7 @@ enum class At { action, condition, expression, transition, machine, state, packa
 struct Row {
     At at;
     std::string text;
-    std::string refusal = {};  ///< a part of the message; empty: it is accepted
+    std::string refusal = {};  ///< part of the message of a rejection; empty: the construct is accepted
 };
 
 std::string model_with(const Row& row) {
@@ -71,7 +71,7 @@ std::string model_with(const Row& row) {
     )";
 }
 
-/// The problem with the row; empty if there is none.
+/// Describes the problem with the row; empty if there is none.
 std::string outcome(const Row& row, Time time) {
     const auto m = testing::model(model_with(row));
     if (!m->diagnostics.ok()) return m->messages();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Core properties: the properties that are checked for every component, and the answers for small machines with the
-// reason next to each.
+// Tests the properties that are checked for every component. The answers for the small machines have their reasons next
+// to them.
 #include "csp_emit/core_properties.hpp"
 
 #include <gmock/gmock.h>

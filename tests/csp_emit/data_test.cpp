@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of expressions, in the script and in the evaluator of the semantics. The expected values follow from the
-// contracts of the libraries (frontend/toolkits/library) and from the rules for finite types (semantics 3.13).
+// Compares values of expressions in the script and in the evaluator of the semantics. The expected values follow from
+// the contracts of the libraries (frontend/toolkits/library) and from the rules for finite types (semantics 3.13).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -302,7 +302,7 @@ TEST(Preconditions, LetTimePassBeforeACallThatNeverComes) {
               "holds");
 }
 
-// semantics 3.10: after d, `S <{d}` is interrupted by a process that stops time, whatever S does.
+// semantics 3.10: after d, `S <{d}` is interrupted by a process that stops time, independently of S.
 TEST(Preconditions, DoNotLiftADeadline) {
     for (const std::string blocked :
          {"wait(positive(x))", "x = positive(x)", "if positive(x) > 0 then skip else skip end"}) {
@@ -457,7 +457,7 @@ TEST(Preconditions, TheEmptySetHasNoLeastElement) {
     EXPECT_THROW(evaluated(*m), ir::EvaluationFault);
 }
 
-// The types of such a range's bounds are unknown. Its script is generated all the same, and evaluation of the range
+// The types of the bounds of such a range are unknown. Its script is still generated, and evaluation of the range
 // fails.
 TEST(Ranges, OfUnknownTypeAreWritten) {
     const auto m = model(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Definitions of RoboTool's library that csp blocks may use although generated scripts do not need them, and the
+// Tests definitions of RoboTool's library that CSP blocks may use although generated scripts do not need them, and the
 // functions of records.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(BlockLibrary, NumbersOfTypes) {
         Each("holds"));
 }
 
-// Defining laws: a process that is cut off after d time units; a timeout that the first event decides.
+// Defining laws: a process that ends after d time units, and a timeout that the first event prevents.
 TEST(BlockLibrary, OperatorsOfTime) {
     EXPECT_THAT(block(machine, Time::timed,
                       "channel b, c\n"

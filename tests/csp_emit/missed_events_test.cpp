@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `event E is missed in S for N time units` (docs/assertions.md, "Missed events"): the answers follow from the waits of
-// the small machines, by hand.
+// Tests `event E is missed in S for N time units` (docs/assertions.md, "Missed events"). The answers follow from the
+// waits of the small machines, by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

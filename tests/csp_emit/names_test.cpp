@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names and signatures of RoboTool's scripts that CSP blocks may use (semantics 3.2, 3.12, 3.13): all of them exist and
-// have RoboTool's meaning.
+// Tests names and signatures of RoboTool's scripts that CSP blocks may use (semantics 3.2, 3.12, 3.13). All of them
+// exist and have RoboTool's meaning.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

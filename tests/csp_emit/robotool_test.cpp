@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Our processes compared with RoboTool's own scripts for the same models: each refines the other in the
+// Compares our processes with RoboTool's own scripts for the same models. Each refines the other in the
 // failures-divergences model under RoboTool's instantiations. The scripts are shared reference material.
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Structure of generated scripts: they parse to the same tree and use RoboTool's names, and the generator names the
-// element that it rejects.
+// Tests the structure of generated scripts: they parse to the same tree and use RoboTool's names. The generator names
+// the element that it rejects.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -332,7 +332,7 @@ void collect_channels(const std::vector<cspm::DeclPtr>& decls, const std::string
     }
 }
 
-// A counterexample can only show events that it can name: every event of a component has provenance.
+// A counterexample can show only events with a description, so every event of a component has provenance.
 TEST(Provenance, HasAMeaningForEveryChannelOfEveryComponent) {
     const auto m = model(R"(
         interface V { var v : nat }
@@ -373,7 +373,7 @@ TEST(Provenance, HasAMeaningForEveryChannelOfEveryComponent) {
     for (const bool memories : {false, true})
         for (const Time time : {Time::untimed, Time::timed}) {
             Options options;
-            options.share_modules = false;  // so that every instance has its channels
+            options.share_modules = false;  // unshared, so that every instance has its channels
             if (memories) options.states_of_a_process = 0;
             const Emission emission = emit(m->system, m->instantiation, time, options, m->sources, m->diagnostics);
             std::vector<std::string> channels;

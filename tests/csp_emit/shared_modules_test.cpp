@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modules with equal text become instances of one parameterised module and keep their names, if names in the text keep
-// their meaning.
+// Tests that modules with equal text become instances of one parameterised module and keep their names, if names in the
+// text keep their meaning.
 #include "csp_emit/passes/shared_modules.hpp"
 
 #include <gmock/gmock.h>
@@ -107,7 +107,7 @@ TEST(SharedModules, OfTheCorpusHaveNoInstancesInside) {
     EXPECT_GE(folders.size(), 6U);
 }
 
-// Inside C the name means another type.
+// Inside C the name denotes another type.
 TEST(SharedModules, AreNotWhereANameMeansSomethingElse) {
     const std::string machine = "module M\nexports" + body;
     const cspm::Script before =

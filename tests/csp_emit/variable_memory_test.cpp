@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Variables in separate memory processes (semantics 3.6) behave like the parameters that they replace.
+// Tests that variables in separate memory processes (semantics 3.6) have the same effect as the parameters that they
+// replace.
 #include "csp_emit/passes/variable_memory.hpp"
 
 #include <gmock/gmock.h>

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "lsp/protocol/json.hpp"
-#include "lsp/workspace/workspace.hpp"
+#include "editors/server/protocol/json.hpp"
+#include "editors/server/workspace/workspace.hpp"
 
 namespace robochart::lsp {
 
@@ -48,7 +48,7 @@ struct Client {
     bool versioned_edits = false;
     bool pulls_diagnostics = false;  ///< requests the diagnostics of open documents, so the server does not push them
     bool refreshes_diagnostics = false;  ///< repeats its requests for diagnostics when the server notifies it
-    std::set<std::string> commands;      ///< code lens commands that it supports (lsp/features/capabilities.hpp)
+    std::set<std::string> commands;      ///< code lens commands that it supports (editors/server/features/capabilities.hpp)
 };
 
 class KeptDiagrams;
@@ -59,7 +59,7 @@ struct Session {
     Workspace workspace;
     Client client;
     diagnostics::Budget* budget;             ///< interrupts work; null: no limit
-    std::shared_ptr<KeptDiagrams> diagrams;  ///< created by the first request for a diagram (lsp/features/diagram.hpp)
+    std::shared_ptr<KeptDiagrams> diagrams;  ///< created by the first request for a diagram (editors/server/features/diagram.hpp)
     std::int64_t refreshes = 0;              ///< number of requests to refresh diagnostics so far
     std::function<void(const Json&)> send;   ///< sends a message to the editor
     /// The SLEEC rules of a folder, each with the name of its file; an empty function: not available.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wrong mappings and their findings: one row for each mistake, with its place counted by hand.
+// Tests wrong mappings and their findings. Each row contains one mistake; its place was counted by hand.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -32,7 +32,7 @@ controller C { requires I uses E sref m = M opref turn_ref = turn
     connection C on bump to m on bump connection m on done to C on done connection C on list to m on list }
 )";
 
-/// The findings for one item, without the findings for the elements that every mapping here leaves out.
+/// The findings for one item. Findings for the elements that every mapping here omits are left out.
 std::string findings_of(const std::string& item) {
     static const ir::System system = testing::model(model_text);
     const Planned planned = emit_package(system, "C", "ros2 for C {\n" + item + "\n}");
@@ -225,7 +225,7 @@ INSTANTIATE_TEST_SUITE_P(
             "{ header.stamp = now header.frame_id = \"x\" twist.linear.x = -0.5 }",
             ""}));
 
-/// Text with a meaning in C++, CMake, XML, YAML, Python or a shell is rejected as a name, and is data in a literal.
+/// Text with a meaning in C++, CMake, XML, YAML, Python or a shell is rejected as a name. In a literal it is data.
 TEST(HostileMapping, DoesNotReachTheCode) {
     for (const char* const name : {"t\\\"); abort(); (\\\"", "$(touch x)", "a;b", "<evil/>", "a b", "a\\nb", "../x",
                                    "a'b", "@CLASS@", "%s", "é"}) {
@@ -243,8 +243,8 @@ TEST(HostileMapping, DoesNotReachTheCode) {
     EXPECT_NE(code.find("message.data = \"a\\012b\\077\\077/\\001*/\\134\\042 @CLASS@\";"), std::string::npos) << code;
 }
 
-/// Mappings with characters and words changed, removed and doubled. Each is rejected with a finding, or the package is
-/// generated, and then no changed text leaves its name or literal.
+/// Mappings with changed, removed and doubled characters and words. Each is rejected with a finding, or the package is
+/// generated. In a generated package, changed text stays within its name or literal.
 TEST(HostileMapping, ChangedAtRandomIsRefusedOrWritten) {
     const ir::System system = testing::model(
         "enumeration L { A B } datatype P { x : real l : L } interface I { move(p : P, n : nat) var v : real }\n"
@@ -306,7 +306,7 @@ TEST(Names, OfRosAreThoseOfRosidl) {
     EXPECT_EQ(topic_part("a__b_"), "a_b");
 }
 
-/// A package does not have the name of a package that it needs.
+/// The package's name differs from those of the packages that it needs.
 TEST(Names, OfAPackageAreItsOwn) {
     for (const char* const name : {"Launch", "Rclcpp", "StdMsgs", "Rcl_Interfaces"}) {
         const ir::System system =
@@ -322,7 +322,7 @@ TEST(Names, OfAPackageAreItsOwn) {
     }
 }
 
-/// The table contains every message type that a field in the table has, and all its names are valid.
+/// The table contains the message type of every field in it, and all its names are valid.
 TEST(Messages, OfTheTableAreWhole) {
     std::size_t fields = 0;
     for (const char* const package :

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The node of a generated package in the stub of ROS 2: the test configures and activates it, and sends messages, cycle
-// by cycle. The expected messages follow from the model and the mapping.
+// Tests the node of a generated package in the stub of ROS 2. The test configures and activates the node, and sends
+// messages, cycle by cycle. The expected messages follow from the model and the mapping.
 #include <fmt/format.h>
 
 #include "tests/cpp_emit/models.hpp"
@@ -351,7 +351,7 @@ int main() {
 })");
 }
 
-/// Two machines, in two controllers, and a clock.
+/// Tests two machines, in two controllers, and a clock.
 TEST_F(Package, HasAStateForEachMachine) {
     emit(testing::model(R"(package p
 interface I { beep() }
@@ -400,7 +400,7 @@ int main() {
 })");
 }
 
-/// Elements with names that the node, its messages, ROS or C++ use, in a package with the name of such an element.
+/// Elements have names that the node, its messages, ROS or C++ use. The package has the name of such an element.
 TEST_F(Package, OfElementsWithNamesOfRos) {
     emit(testing::model(R"(package rclcpp_lifecycle
 enumeration State { active off }
@@ -426,7 +426,7 @@ stm M { requires Twist requires MMessages requires MNode uses MOutbox var s : St
     }
 }
 
-/// The launch file in a stub of launch: it starts the node, configures it, and activates it once.
+/// Runs the launch file in a stub of launch: it starts the node, configures it, and activates it once.
 TEST_F(Package, IsLaunched) {
     emit(testing::model(wheeled), "Mod", wheels, chosen());
     write("check.py", R"(
@@ -466,7 +466,7 @@ TEST_F(Package, NamesWhatItNeeds) {
     folder_.run("grep -q '^install(DIRECTORY launch config DESTINATION share/' CMakeLists.txt");
 }
 
-/// Shared variables of record types, in both directions; one is written by the environment.
+/// Shared variables of record types, in both directions. The environment writes one of them.
 TEST_F(Package, HasVariablesThatAreRecords) {
     emit(testing::model(R"(package p
 enumeration Light { Red Green }

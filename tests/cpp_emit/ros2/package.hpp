@@ -17,7 +17,7 @@ struct Planned {
     std::string findings;
 };
 
-/// Generates the package of a component with the text of a mapping; "" for none.
+/// Generates the package of a component with the text of a mapping; "" means no mapping.
 [[nodiscard]] Planned emit_package(const ir::System&, const std::string& component, const std::string& mapping,
                                    const ir::InstantiationOptions& = {});
 

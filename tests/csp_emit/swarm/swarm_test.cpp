@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Swarms of generated robots: verdicts that follow from the rules of the grid, and verdicts of a separate search that
+// Tests swarms of generated robots. Some verdicts follow from the rules of the grid, others from a separate search that
 // does not use CSP.
 #include <gtest/gtest.h>
 
@@ -162,7 +162,7 @@ bool near(const World& world) {
     return apart(world.x) <= 1 && apart(world.y) <= 1;
 }
 
-/// The possible states of a robot after its time unit.
+/// The states in which a robot may be after its time unit.
 std::vector<Robot> after(Robot robot, int heard) {
     std::vector<Robot> result;
     if (robot.control >= 2) {  // it has turned by now, and continues to drive

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboChart models, encoded for tests.
+// Loads RoboChart models and encodes them.
 #pragma once
 
 #include <map>
@@ -34,7 +34,7 @@ struct Encoded {
 [[nodiscard]] std::unique_ptr<Encoded> encoded(const std::map<std::string, std::string>& files,
                                                const Preferences& ranges);
 
-/// States and transitions of the model, with values for its constants.
+/// The number of states and transitions of the model, with values for its constants.
 struct Size {
     std::size_t states = 0, transitions = 0;
     friend bool operator==(const Size&, const Size&) = default;

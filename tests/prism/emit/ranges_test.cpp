@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Guards that keep updates within their ranges in unreachable states. Commands that cannot leave a range stay
+// Tests guards that keep updates within their ranges in unreachable states. Commands that cannot leave a range stay
 // unchanged.
 #include "prism/emit/ranges.hpp"
 
@@ -25,7 +25,7 @@ std::string guarded(const std::string& text) {
     return prism::print(in_ranges(file));
 }
 
-/// Counts to a limit that is below the upper end of its range.
+/// A counter with a limit below the upper end of its range.
 const char* const counter =
     "dtmc const int limit = 2; module M at : [0..1]; n : [0..3];\n"
     "[] at=0 & n<limit -> (at'=1); [] at=1 -> (n'=n+1) & (at'=0); [] n=limit -> true; endmodule\n";
@@ -49,7 +49,7 @@ TEST(PrismRanges, WhatStaysInItsRangeHasNoGuard) {
     EXPECT_THAT(text, Not(HasSubstr(">=")));
 }
 
-/// The constant may have any value; a branch of probability 0 has no effect.
+/// The constant may have any value, and a branch of probability 0 has no effect.
 TEST(PrismRanges, OpenConstantsAndBranchesAreGuarded) {
     const std::string text = guarded(
         "dtmc const int k; const double p; module M n : [0..3];\n"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constructs without an encoding are rejected with a named rule: one model for each rule of prism/emit/rules.hpp that
-// violates only this rule.
+// Constructs without an encoding are rejected with a named rule. For each rule of prism/emit/rules.hpp there is one
+// model that violates only this rule.
 #include <gtest/gtest.h>
 
 #include "tests/prism/emit/models.hpp"

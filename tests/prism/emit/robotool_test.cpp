@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The encoding compared with RoboTool's own files of two case studies, if they are present (../shared).
+// Compares the encoding with RoboTool's own files of two case studies, if they are present (../shared).
 #include <gtest/gtest.h>
 
 #include <filesystem>

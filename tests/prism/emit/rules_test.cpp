@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules R1 to R16 (docs/prism-encoding.md), each with a small model. The expected commands and counts were derived by
-// hand from the statements of the rules.
+// Tests rules R1 to R16 (docs/prism-encoding.md), each with a small model. The expected commands and counts were
+// derived by hand from the statements of the rules.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
